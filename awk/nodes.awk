@@ -1,0 +1,123 @@
+# The tree. Each node is made whole, with its shape:
+#
+#   node_operator[id]       number, name, negative, not, call, index, list, if, transpose or an infix operator
+#   node_text[id]           digits, Octave name or text
+#   child[id, k], child_count[id]
+#   node_shape[id]          see shapes.awk
+#   node_truth[id]          1 for conditions, 0 for numbers
+#   node_cover[id]          set (of bits) of the array arguments whose size the value surely has
+
+BEGIN {
+  node_count = 0
+}
+
+function new_node(operator, text, shape, truth, cover)
+{
+  node_operator[++node_count] = operator
+  node_text[node_count] = text
+  node_shape[node_count] = shape
+  node_truth[node_count] = truth
+  node_cover[node_count] = cover
+  child_count[node_count] = 0
+  return node_count
+}
+
+function adopt(parent, id)
+{
+  child[parent, ++child_count[parent]] = id
+}
+
+function number_node(text)
+{
+  return new_node("number", octave_number(text), "scalar", 0, 0)
+}
+
+function unary_node(operator, operand,    id)
+{
+  if (operator == "not")
+    must_be_condition(operand, operator)
+  else
+    must_be_number(operand, operator)
+  id = new_node(operator, "", node_shape[operand], operator == "not", node_cover[operand])
+  adopt(id, operand)
+  return id
+}
+
+# Infix operators: + - * / ^ elementwise, . of matrices, relations, and, or.
+function binary_node(operator, left, right,    id, shape)
+{
+  check_kind(left, operator)
+  check_kind(right, operator)
+  if (operator == "/")
+    shorten_quotient(left, right)
+  if (operator == "." && (node_shape[left] == "scalar" || node_shape[right] == "scalar"))
+    operator = "*"
+  if (operator == ".")
+    shape = product_shape(node_shape[left], node_shape[right])
+  else
+    shape = common_shape(node_shape[left], node_shape[right], operator)
+  id = new_node(operator, "", shape, operator ~ /^([=#<>]|<=|>=|and|or)$/, or(node_cover[left], node_cover[right]))
+  adopt(id, left)
+  adopt(id, right)
+  return id
+}
+
+function power_node(base, exponent)
+{
+  if (node_operator[base] == "name" && node_text[base] == "exp(1)")
+    return call_node("exp", exponent, 0)
+  return binary_node("^", base, exponent)
+}
+
+# An Octave function of one or two elementwise arguments; without a second one it is 0.
+function call_node(name, first, second,    id, shape, cover)
+{
+  must_be_number(first, name)
+  shape = node_shape[first]
+  cover = node_cover[first]
+  if (second) {
+    must_be_number(second, name)
+    shape = common_shape(shape, node_shape[second], name)
+    cover = or(cover, node_cover[second])
+  }
+  id = new_node("call", name, shape, 0, cover)
+  adopt(id, first)
+  if (second)
+    adopt(id, second)
+  return id
+}
+
+# With an array as condition the value has its size; otherwise the size of one branch or the other.
+function if_node(condition, yes, no,    id, shape)
+{
+  must_be_condition(condition, "if")
+  if (node_truth[yes] != node_truth[no])
+    fail("one branch of `if' is a condition and the other a number")
+  shape = common_shape(node_shape[yes], node_shape[no], "if")
+  shape = common_shape(node_shape[condition], shape, "if")
+  id = new_node("if", "", shape, node_truth[yes], or(node_cover[condition], and(node_cover[yes], node_cover[no])))
+  adopt(id, condition)
+  adopt(id, yes)
+  adopt(id, no)
+  return id
+}
+
+function check_kind(id, operator)
+{
+  if (operator == "and" || operator == "or")
+    must_be_condition(id, operator)
+  else
+    must_be_number(id, operator)
+}
+
+function must_be_number(id, operator)
+{
+  if (node_truth[id])
+    fail("`" operator "' wants a number, not a condition")
+}
+
+function must_be_condition(id, operator)
+{
+  if (!node_truth[id])
+    fail("`" operator "' wants a condition, not a number")
+}

@@ -1,0 +1,67 @@
+# The function, its arguments and its results, as the record names them.
+#
+#   argument_octave[k], result_octave[k]          names in Octave
+#   variable[name]                                Octave name of an argument or a temporary that the body may mention
+#   variable_shape, variable_truth, variable_cover[name]      as in nodes.awk
+
+BEGIN {
+  array_count = 0
+}
+
+function take_function_name(name)
+{
+  if (name !~ /^[A-Za-z][A-Za-z0-9_]*$/)
+    fail("`" name "' is not an Octave function name")
+  if (name in taken)
+    fail("the function cannot be called " name ", a name with a meaning in Octave")
+  taken[name] = 1
+}
+
+function take_argument(value,    field, k)
+{
+  split_fields(value, field)
+  k = ++argument_count
+  argument_name[k] = field[1]
+  argument_shape[k] = field[2]
+  argument_unit[k] = field[3]
+  argument_meaning[k] = field[4]
+  argument_octave[k] = octave_name(field[1])
+  if (field[2] == "array" && array_count == 50)
+    fail("more than 50 arguments are arrays")
+  set_variable(field[1], argument_octave[k], field[2], 0, field[2] == "array" ? 2^array_count++ : 0)
+}
+
+function take_result(value,    field, k)
+{
+  split_fields(value, field)
+  k = ++result_count
+  result_name[k] = field[1]
+  result_shape[k] = field[2]
+  result_unit[k] = field[3]
+  result_meaning[k] = field[4]
+  result_octave[k] = octave_name(field[1])
+}
+
+function split_fields(value, field,    dimension)
+{
+  dimension = "([1-9][0-9]{0,8}|[A-Za-z][A-Za-z0-9_]*)"
+  if (split(value, field, / \| /) != 4)
+    fail("four fields, name | shape | unit | meaning, are wanted here")
+  if (field[1] !~ ("^" maxima_name "$"))
+    fail("`" field[1] "' is not a Maxima name")
+  if (field[1] in is_listed)
+    fail("the name " field[1] " is used twice")
+  if (field[2] !~ ("^(scalar|array|" dimension "-by-" dimension ")$"))
+    fail("`" field[2] "' is not a shape: scalar, array or R-by-C")
+  if (field[2] == "1-by-1")
+    field[2] = "scalar"
+  is_listed[field[1]] = 1
+}
+
+function set_variable(name, octave, shape, truth, cover)
+{
+  variable[name] = octave
+  variable_shape[name] = shape
+  variable_truth[name] = truth
+  variable_cover[name] = cover
+}

@@ -1,0 +1,16 @@
+;;; What a script needs and Maxima lacks: an exit status, exit_code (n), and no questions.
+
+(in-package :maxima)
+
+(defun $exit_code (code)
+  (finish-output)
+  #+gcl (si::quit code)
+  #+sbcl (sb-ext:exit :code code :abort t)
+  #+clisp (ext:quit code)
+  #+ecl (si:quit code)
+  #+ccl (ccl:quit code))
+
+;;; "Is length positive?" would be asked for ever where nobody answers.
+(defun retrieve (question flag)
+  (declare (ignore flag))
+  (merror "Maxima asks a question (assume its answer): ~M" (cons '(mtext) (if (listp question) (cdr question) (list question)))))
