@@ -5,10 +5,9 @@ BEGIN {
   define_functions("sin cos tan sec csc cot asin acos atan asec acsc acot" \
     " sinh cosh tanh sech csch coth asinh acosh atanh asech acsch acoth" \
     " exp log sqrt abs floor gamma erf erfc", 1)
-  define_functions("atan2 mod beta", 2)
+  define_functions("atan2 mod beta binomial=bincoeff", 2)
   define_functions("max min", "n")
   define_functions("signum=sign ceiling=ceil truncate=fix entier=floor round=round_half_even log_gamma=gammaln", 1)
-  define_functions("binomial=bincoeff bessel_j=besselj bessel_y=bessely bessel_i=besseli bessel_k=besselk", 2)
 }
 
 function define_functions(words, arity,    list, pair, k, count)

@@ -55,7 +55,10 @@ function leading_integer(id)
 function scaled_integer(text, digits,    fraction)
 {
   digits = length(text) - 1 - digits
-  fraction = substr(text "0", 2, kept_digits - 1)
+  fraction = text
+  sub(/^./, "", fraction)
+  if (length(fraction) >= kept_digits)
+    fraction = substr(fraction, 1, kept_digits - 1)
   sub(/0+$/, "", fraction)
   return octave_number(substr(text, 1, 1) "." (fraction == "" ? "0" : fraction) (digits ? "e" digits : ""))
 }

@@ -1,0 +1,48 @@
+# Elastic rods with Maxima, Gawk and GNU Octave: `make help' says what there is to do.
+
+OCTAVE ?= octave
+MODES_LITERAL = $(or $(MODES),7 7)
+GENERATED ?= generated
+FILES = $(shell git ls-files 2>/dev/null || find . -type f -not -path './output/*' -not -path './.git/*')
+VERSION = 1.0
+
+export SCENE MODES SOLVER TOLERANCE OUTPUT OCTAVE
+run_octave = $(OCTAVE) --no-gui --no-history --quiet
+
+.PHONY: help setup derive equations simulate check fuzz clean dist
+
+help:
+	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
+	@echo 'make simulate    simulate and draw SCENE=paper (or a file) [MODES="7 7" SOLVER=ode45 TOLERANCE=1e-6 OUTPUT=folder]'
+	@echo 'make derive      derive all equations and translate them into generated/ [MODES="7 7" of the literal form]'
+	@echo 'make equations   write the derived energies and equations of motion as output/equations.tex [MODES="2 2"]'
+	@echo 'make check       run all tests'
+	@echo 'make fuzz        more of the random round trip [N=10000 SEED=1]'
+	@echo 'make dist        an archive of the sources'
+	@echo 'make clean       remove what runs have written'
+
+setup:
+	@.ci/setup
+
+derive:
+	@maxima/derive "$(GENERATED)" "$(MODES_LITERAL)"
+
+equations:
+	@maxima/write_equations "$(or $(OUTPUT),output)" "$(or $(MODES),2 2)"
+
+simulate:
+	@$(run_octave) --eval 'source octave/toolchain_path.m; run_scene'
+
+check:
+	@tests/check
+
+fuzz:
+	@tests/roundtrip/run
+
+clean:
+	rm -rf output generated/.derive-* $(filter-out generated/literal_7_7_%,$(wildcard generated/literal_*))
+
+dist:
+	@name=elastic-rod-$(VERSION) && mkdir -p output && \
+	tar -czf "output/$$name.tar.gz+" --transform "s,^\(\./\)*,$$name/," $(FILES) && \
+	mv "output/$$name.tar.gz+" "output/$$name.tar.gz" && echo "output/$$name.tar.gz"

@@ -1,0 +1,46 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{result} =} driver (@var{scene}, @var{option}, @var{value}, @dots{})
+## Simulate a scene and leave history, summary, frames, film and figures: the whole way from a scene to its pictures.
+##
+## @var{scene} is the name of a function in octave/scenes/ (default "paper"), the path of a function file of one's own, or
+## a struct; `help scene_fields' lists its fields.  The options stand for fields of the scene: "modes" ([N1 N2] or
+## "auto"), "solver" (a name), "tolerance" (m, or "pixel"); and "output" is the folder to write into (default
+## output/NAME; "" writes nothing).
+##
+## @var{result} has the fields scene, model, history and summary.
+##
+## @example
+## result = driver ("paper", "modes", [0 4], "solver", "ode45", "tolerance", 1e-6);
+## @end example
+## @end deftypefn
+
+function result = driver (scene = "paper", varargin)
+  start = tic ();
+  [scene, name] = load_scene (scene);
+  [scene, folder] = take_options (scene, fullfile ("output", name), varargin);
+  scene = check_scene (scene);
+  if (isempty (scene.title))
+    scene.title = name;
+  endif
+  scene.solver.tolerance = tolerance_in_metres (scene);
+
+  model = build_model (scene);
+  rod_system = hinged_rod (scene, model);
+  times = frame_times (scene);
+  [states, count] = integrate (rod_system, times, scene.solver);
+  history = measure (rod_system, model, times, states);
+  summary = summarise (name, scene, model, count, history);
+
+  if (! isempty (folder))
+    summary = write_run (folder, scene, model, history, summary, start);
+  endif
+  result = struct ("scene", scene, "model", model, "history", history, "summary", summary);
+endfunction
+
+%!test # a short run without files
+%! result = driver ("paper", "modes", [0 0], "output", "");
+%! assert (numel (result.history.t), 91);
+%! assert (result.history.t(end), 1.8);
+%! assert (result.summary.method, "ode45");
+%!error <model.modes is "many": it takes "auto" or two numbers of modes \[N1 N2\]> driver ("paper", "modes", "many")
+%!error <"speed" is not an option: those are modes, solver, tolerance, output> driver ("paper", "speed", 3)

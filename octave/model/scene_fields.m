@@ -1,0 +1,47 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{fields} =} scene_fields ()
+## All fields of a scene, a row each: name, default, kind (see @code{check_value}).  A default of NaN means that the
+## field must be given.
+## @end deftypefn
+
+function fields = scene_fields ()
+  fields = {
+    "title",                 "",             "text"
+    "rod.length",            NaN,            "positive number in m"
+    "rod.width",             [],             "positive number in m"
+    "rod.half_height",       [],             "positive number in m"
+    "rod.lambda",            1.2e11,         "nonnegative number in Pa"
+    "rod.mu",                8.1e10,         "positive number in Pa"
+    "rod.density",           7800,           "positive number in kg/m^3"
+    "rod.EA",                [],             "positive number in N"
+    "rod.EI",                [],             "positive number in N m^2"
+    "rod.rhoA",              [],             "positive number in kg/m"
+    "rod.rhoI",              [],             "nonnegative number in kg m"
+    "rod.damping",           0,              "nonnegative number in s"
+    "gravity",               9.81,           "number in m/s^2"
+    "moment",                0,              "number or function of t in N m"
+    "moment_breaks",         [],             "vector of times in s"
+    "initial.phi",           0,              "number in rad"
+    "initial.phi_dot",       0,              "number in rad/s"
+    "initial.V1",            [],             "vector of amplitudes in m"
+    "initial.V2",            [],             "vector of amplitudes in m"
+    "initial.V1_dot",        [],             "vector of rates in m/s"
+    "initial.V2_dot",        [],             "vector of rates in m/s"
+    "duration",              NaN,            "positive number in s"
+    "frames_per_second",     50,             "positive number in 1/s"
+    "zoom",                  1,              "nonnegative number"
+    "model.modes",           "auto",         "\"auto\" or two numbers of modes [N1 N2]"
+    "model.energy",          "paper",        "\"paper\" or \"uniaxial\""
+    "model.axial",           "auto",         "\"auto\", \"dynamic\" or \"none\""
+    "model.stiffening",      "auto",         "\"auto\" or \"none\""
+    "model.moment_work",     "tangent",      "\"tangent\" or \"chord\""
+    "model.rotary_inertia",  true,           "true or false"
+    "solver.name",           "auto",         "\"auto\" or \"ode45\""
+    "solver.tolerance",      "pixel",        "\"pixel\" or positive number in m"
+  };
+endfunction
+
+%!test # the table's kinds are all known
+%! for field = scene_fields ().'
+%!   assert (ischar (value_error (field{3}, {})));
+%! endfor

@@ -1,0 +1,14 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{tolerance} =} tolerance_in_metres (@var{scene})
+## The scene's tolerance as a length: "pixel" is half a pixel of a drawn frame, 720 pixels for 2.5 lengths of the rod, at
+## the scene's zoom.
+## @end deftypefn
+
+function tolerance = tolerance_in_metres (scene)
+  tolerance = scene.solver.tolerance;
+  if (ischar (tolerance))
+    tolerance = 0.5*2.5*scene.rod.length/720/max (scene.zoom, 1);
+  endif
+endfunction
+
+%!assert (tolerance_in_metres (check_scene (paper ())), 5.787e-6, 1e-9)

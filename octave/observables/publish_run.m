@@ -1,0 +1,63 @@
+## -*- texinfo -*-
+## @deftypefn {} {} publish_run (@var{folder}, @var{names}, @var{write})
+## Make files whole or not at all: @var{write} (aside) writes into a folder of its own beside the final ones, and what it
+## wrote is then moved to its place in @var{folder}.  An error in @var{write} leaves @var{folder} as it was.
+##
+## Of the @var{names} (cellstr) that a run can leave, those that this one did not write are removed: what is there
+## belongs together.  Other files in @var{folder} are not touched.
+## @end deftypefn
+
+function publish_run (folder, names, write)
+  [made, message] = mkdir (folder);
+  if (! made)
+    scene_error ("the folder %s cannot be made: %s", folder, message);
+  endif
+  aside = tempname (folder, ".partial-");
+  [made, message] = mkdir (aside);
+  if (! made)
+    scene_error ("nothing can be written into %s: %s", folder, message);
+  endif
+  confirm_recursive_rmdir (false, "local");
+  unwind_protect
+    write (aside);
+    for name = names
+      replace (fullfile (aside, name{1}), fullfile (folder, name{1}));
+    endfor
+  unwind_protect_cleanup
+    rmdir (aside, "s");
+  end_unwind_protect
+endfunction
+
+function replace (new, old)
+  is_new = exist (new);
+  if (isfolder (old))
+    rmdir (old, "s");
+  elseif (exist (old, "file") && ! is_new)
+    unlink (old);
+  endif
+  if (is_new)
+    [status, message] = rename (new, old);
+    if (status != 0)
+      scene_error ("%s cannot be written: %s", old, message);
+    endif
+  endif
+endfunction
+
+%!function leave (file, text)
+%!  fid = fopen (file, "w"); fputs (fid, text); fclose (fid);
+%!endfunction
+
+%!test # a run that fails leaves the last one; one that succeeds removes what it did not write
+%! folder = tempname (); mkdir (folder); leave (fullfile (folder, "own.txt"), "own");
+%! confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   publish_run (folder, {"a", "b"}, @(aside) cellfun (@(name) leave (fullfile (aside, name), "1"), {"a", "b"}));
+%!   try, publish_run (folder, {"a", "b"}, @(aside) error ("no")); catch, end_try_catch
+%!   assert (fileread (fullfile (folder, "b")), "1");
+%!   publish_run (folder, {"a", "b"}, @(aside) leave (fullfile (aside, "a"), "2"));
+%!   assert (fileread (fullfile (folder, "a")), "2");
+%!   assert (sort ({dir(folder).name}), {".", "..", "a", "own.txt"});
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect
+%!error <cannot be made|can be written> publish_run ("/proc/nowhere", {}, @(aside) 0)

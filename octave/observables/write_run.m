@@ -1,0 +1,46 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{summary} =} write_run (@var{folder}, @var{scene}, @var{model}, @var{history}, @var{summary}, @var{start})
+## All files of a run, whole or not at all, and what a person at the terminal wants to know of it.  The summary comes
+## back with the seconds of the drawing, those since @var{start} (a tic), and the drawing's warnings.
+## @end deftypefn
+
+function summary = write_run (folder, scene, model, history, summary, start)
+  names = {"history.csv", "summary.json", "frames", "animation.mp4", "animation.gif", ...
+           "figure3.svg", "figure3.png", "figure3.pdf", "history.svg"};
+  publish_run (folder, names, @write);
+  report (folder, summary);
+
+  function write (aside)
+    write_history (history, fullfile (aside, "history.csv"));
+    drawing_start = tic ();
+    summary.warnings = [summary.warnings, draw_pictures(rod_drawing (scene, model, history), aside)];
+    summary.seconds.pictures = toc (drawing_start);
+    summary.seconds.total = toc (start);
+    write_summary (summary, fullfile (aside, "summary.json"));
+  endfunction
+endfunction
+
+function report (folder, summary)
+  printf ("%s\n", summary.title);
+  printf ("model: %d + %d modes (%s)\n", summary.modes, summary.model_reason);
+  printf ("%s, tolerance %.2g m: %d steps, %d calls, energy balance within %.1g\n", summary.method, summary.tolerance_m, ...
+          summary.steps, summary.rate_calls, summary.largest_energy_error);
+  printf ("seconds: %.1f integration, %.1f pictures, %.1f in all\n", summary.seconds.integration, ...
+          summary.seconds.pictures, summary.seconds.total);
+  printf ("warning: %s\n", summary.warnings{:});
+  printf ("%s/ has history.csv, summary.json, frames/, animation.mp4, animation.gif, figure3.svg, history.svg\n", folder);
+endfunction
+
+%!test # every file of a run is there
+%! folder = tempname (); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   evalc ("result = driver ('paper', 'modes', [0 0], 'output', folder);");
+%!   assert (numel (glob (fullfile (folder, "frames", "*.png"))), 91);
+%!   assert (rows (csvread (fullfile (folder, "history.csv"), 1, 0)), 91);
+%!   assert (jsondecode (fileread (fullfile (folder, "summary.json"))).frames, 91);
+%!   for name = {"animation.mp4", "animation.gif", "figure3.svg", "history.svg"}
+%!     assert (stat (fullfile (folder, name{1})).size > 10000);
+%!   endfor
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect

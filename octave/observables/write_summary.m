@@ -1,0 +1,22 @@
+## -*- texinfo -*-
+## @deftypefn {} {} write_summary (@var{summary}, @var{file})
+## The struct as JSON, a field a line.
+## @end deftypefn
+
+function write_summary (summary, file)
+  lines = {};
+  for [value, name] = summary
+    lines{end+1} = sprintf ("  \"%s\": %s", name, jsonencode (value));
+  endfor
+  write_text (file, ["{\n" strjoin(lines, ",\n") "\n}\n"]);
+endfunction
+
+%!test
+%! file = tempname ();
+%! unwind_protect
+%!   write_summary (struct ("title", "a \"rod\"", "modes", [0 7], "none", [], "warnings", {{}}), file);
+%!   assert (jsondecode (fileread (file)).modes, [0; 7]);
+%!   assert (jsondecode (fileread (file)).title, "a \"rod\"");
+%! unwind_protect_cleanup
+%!   unlink (file);
+%! end_unwind_protect

@@ -1,0 +1,60 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{warnings} =} draw_pictures (@var{drawing}, @var{folder})
+## Frames, film and figures of @var{drawing}, written into the existing @var{folder}: @file{frames/frame_0001.png} and
+## on, @file{animation.mp4}, @file{animation.gif}, @file{figure3.svg}, @file{figure3.png}, @file{figure3.pdf} and
+## @file{history.svg}.
+##
+## The @var{drawing} of F frames has the fields @code{title}, @code{time} (1-by-F, s), @code{frames_per_second},
+## @code{zoom}, @code{gravity} (m/s²), @code{moment} (1-by-F, N m), @code{moment_breaks} (1-by-B, s), and
+##
+## @table @code
+## @item bodies
+## a struct array of @code{x}, @code{y} (P-by-F, m: the centreline as drawn), @code{rest_x}, @code{rest_y} (P-by-F, m:
+## the undeformed body), @code{half_height} (m), @code{stress} (P-by-F, Pa, or empty);
+## @item hinges
+## a struct of @code{x}, @code{y} (H-by-F, m); the first is O, where the moment acts;
+## @item history
+## a struct of the rows t, phi, psi, phi_dot, tip_x, tip_y, T, U, Z, W, D (1-by-F), V1 (N1-by-F), V2 (N2-by-F).
+## @end table
+##
+## @var{warnings} is a cell array of texts: what could not be made, and why.
+## It is an error when the frames of the fields differ, when a value is not finite, and when gnuplot or ffmpeg fails.
+## @end deftypefn
+
+function warnings = draw_pictures (drawing, folder)
+  check_drawing (drawing);
+  scratch = fullfile (folder, "scratch");
+  mkdir (scratch);
+  unwind_protect
+    draw_figure3 (drawing, scratch);
+    draw_history (drawing, scratch);
+    draw_frames (drawing, scratch);
+  unwind_protect_cleanup
+    confirm_recursive_rmdir (false, "local");
+    rmdir (scratch, "s");
+  end_unwind_protect
+  warnings = make_film (drawing.frames_per_second, folder);
+endfunction
+
+%!test # every file is there, in a folder with a difficult name, and nothing else
+%! folder = fullfile (tempname (), "it's a \"folder\" $HOME");
+%! mkdir (fileparts (folder));
+%! mkdir (folder);
+%! drawing = sample_drawing (3);
+%! drawing.title = "Stäbe: \"a_b\" 'c' {d} `e` \\n 100 %";
+%! unwind_protect
+%!   warnings = draw_pictures (drawing, folder);
+%!   assert (numel (dir (fullfile (folder, "frames", "frame_000*.png"))), 3);
+%!   made = {"figure3.svg", "figure3.png", "figure3.pdf", "history.svg"};
+%!   if (isempty (warnings))
+%!     made = [made, {"animation.mp4", "animation.gif"}];
+%!   endif
+%!   assert (sort ({dir(folder).name}), sort ([made, {".", "..", "frames"}]));
+%! unwind_protect_cleanup
+%!   confirm_recursive_rmdir (false, "local");
+%!   rmdir (fileparts (folder), "s");
+%! end_unwind_protect
+%!error <bodies\(1\)\.y must be finite, with 2 frames>
+%! drawing = sample_drawing (2);
+%! drawing.bodies(1).y(1,2) = NaN;
+%! draw_pictures (drawing, tempdir ());

@@ -1,0 +1,43 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{camera} =} fit_camera (@var{drawing}, @var{panel})
+## The ranges @code{x} and @code{y} (1-by-2, m) of a @var{panel} (width and height in pixels) that contain all that is
+## drawn in any frame, with a margin and equal scales; @code{pixel} is the length of a pixel (m), and
+## @code{symbol} the size of the hinge symbols (m).
+## @end deftypefn
+
+function camera = fit_camera (drawing, panel)
+  [x, y] = body_points (drawing.bodies);
+  span = max (max (x) - min (x), max (y) - min (y));
+  camera.symbol = 0.03 * span;
+  reach = 2.5 * camera.symbol;
+  x = [x; drawing.hinges.x(:) - reach; drawing.hinges.x(:) + reach];
+  y = [y; drawing.hinges.y(:) - reach; drawing.hinges.y(:) + reach];
+  if (any (drawing.moment))
+    ## The moment's arrow and its value stand around O.
+    x = [x; drawing.hinges.x(1,:).' - 0.32*span; drawing.hinges.x(1,:).' + 0.32*span];
+    y = [y; drawing.hinges.y(1,:).' - 0.2*span; drawing.hinges.y(1,:).' + 0.2*span];
+  endif
+  low = [min(x), min(y)];
+  high = [max(x), max(y)];
+  camera.pixel = 1.06 * max ((high - low) ./ panel);
+  centre = (low + high) / 2;
+  camera.x = centre(1) + camera.pixel * panel(1) * [-0.5, 0.5];
+  camera.y = centre(2) + camera.pixel * panel(2) * [-0.5, 0.5];
+endfunction
+
+function [x, y] = body_points (bodies)
+  x = y = [];
+  for body = bodies(:).'
+    around = body.half_height * [-1, 1];
+    x = [x; vec([body.x(:); body.rest_x(:)] + around)];
+    y = [y; vec([body.y(:); body.rest_y(:)] + around)];
+  endfor
+endfunction
+
+%!test # equal scales, everything inside
+%! drawing = sample_drawing (50);
+%! camera = fit_camera (drawing, [600 400]);
+%! assert (diff (camera.x) / 600, diff (camera.y) / 400, 1e-12);
+%! assert (diff (camera.x) / 600, camera.pixel, 1e-12);
+%! assert (camera.x(1) < min (drawing.bodies.x(:)) && camera.x(2) > max (drawing.bodies.x(:)));
+%! assert (camera.y(1) < min (drawing.bodies.y(:)) && camera.y(2) > max (drawing.bodies.y(:)));

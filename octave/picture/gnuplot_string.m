@@ -1,0 +1,22 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{quoted} =} gnuplot_string (@var{text})
+## @var{text} as a string of gnuplot, on one line.
+## @end deftypefn
+
+function quoted = gnuplot_string (text)
+  quoted = ["'" strrep(regexprep (text, '\s', " "), "'", "''") "'"];
+endfunction
+
+%!assert (gnuplot_string ("it's"), "'it''s'")
+%!test # gnuplot reads the text back
+%! text = "it's \"a_b\" `x` $y \\n 100 %";
+%! file = tempname ();
+%! unwind_protect
+%!   fid = fopen (file, "w");
+%!   fprintf (fid, "set print '-'; print %s", gnuplot_string (text));
+%!   fclose (fid);
+%!   [~, said] = system (["gnuplot " file]);
+%!   assert (said, [text "\n"]);
+%! unwind_protect_cleanup
+%!   delete (file);
+%! end_unwind_protect

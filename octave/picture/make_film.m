@@ -1,0 +1,31 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{warnings} =} make_film (@var{frames_per_second}, @var{folder})
+## @file{animation.mp4} and @file{animation.gif} from the frames in @var{folder}. Without ffmpeg there is no film but a
+## text in the cell array @var{warnings}; it is an error when ffmpeg fails.
+## @end deftypefn
+
+function warnings = make_film (frames_per_second, folder)
+  warnings = {};
+  if (system ("command -v ffmpeg > /dev/null") != 0)
+    warnings = {"animation.mp4 and animation.gif are missing, because ffmpeg is not installed: `make setup` installs it"};
+    return;
+  endif
+  source = sprintf ("ffmpeg -nostdin -loglevel error -y -framerate %.9g -i frames/frame_%%04d.png", frames_per_second);
+  run_tool (folder, "ffmpeg", [source " -c:v libx264 -pix_fmt yuv420p -crf 18 -movflags +faststart animation.mp4"]);
+  ## Browsers slow a gif of more than 50 frames a second down.
+  palette = "split [a][b]; [a] palettegen [p]; [b][p] paletteuse";
+  run_tool (folder, "ffmpeg", sprintf ("%s -filter_complex 'fps=%.9g, %s' animation.gif", source, min (frames_per_second, 50), palette));
+endfunction
+
+%!test # without ffmpeg
+%! path = getenv ("PATH");
+%! unwind_protect
+%!   setenv ("PATH", "/nowhere");
+%!   warnings = make_film (50, tempdir ());
+%!   assert (numel (warnings), 1);
+%!   assert (! isempty (strfind (warnings{1}, "make setup")));
+%! unwind_protect_cleanup
+%!   setenv ("PATH", path);
+%! end_unwind_protect
+%!testif ; system ("command -v ffmpeg > /dev/null") == 0 <without frames>
+%! fail ("make_film (50, tempdir ())", "ffmpeg failed with status");

@@ -1,0 +1,18 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{range} =} padded_range (@var{values})
+## A @var{range} (1-by-2) for an axis that shows all @var{values}, with a margin of 6 %; never an empty one.
+## @end deftypefn
+
+function range = padded_range (values)
+  low = min (values(:));
+  high = max (values(:));
+  margin = 0.06 * (high - low);
+  if (margin <= 1e-12 * max (abs (values(:))))
+    margin = max (0.06 * abs (high), 1);
+  endif
+  range = [low - margin, high + margin];
+endfunction
+
+%!assert (padded_range ([0 1]), [-0.06 1.06], 1e-15)
+%!assert (padded_range ([0 0]), [-1 1])
+%!assert (padded_range (100), [94 106], 1e-12)

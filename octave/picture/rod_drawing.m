@@ -1,0 +1,45 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{drawing} =} rod_drawing (@var{scene}, @var{model}, @var{history})
+## What the pictures show of a run with one hinged rod: the struct that @code{draw_pictures} takes.
+## @end deftypefn
+
+function drawing = rod_drawing (scene, model, history)
+  stations = linspace (0, model.length, 101).';
+  drawing.title = scene.title;
+  drawing.time = history.t;
+  drawing.frames_per_second = scene.frames_per_second;
+  drawing.zoom = scene.zoom;
+  drawing.gravity = scene.gravity;
+  drawing.moment = scene.moment (history.t);
+  drawing.moment_breaks = scene.moment_breaks;
+  [body.x, body.y] = centreline (model, stations, history, scene.zoom);
+  [body.rest_x, body.rest_y] = centreline (model, stations, history, 0);
+  body.half_height = drawn_half_height (scene.rod);
+  body.stress = bending_stress (scene.rod, model, stations, history);
+  drawing.bodies = body;
+  drawing.hinges = struct ("x", zeros (size (history.t)), "y", zeros (size (history.t)));
+  drawing.history = history;
+endfunction
+
+function half_height = drawn_half_height (rod)
+  half_height = [rod.half_height, rod.length/100](1);
+endfunction
+
+## E I v2,11 is the bending moment; its stress is largest at half_height.
+function stress = bending_stress (rod, model, stations, history)
+  stress = [];
+  if (! isempty (rod.half_height) && model.modes(2) > 0 && ! isempty (rod.width))
+    [j, xi1] = meshgrid (1:model.modes(2), stations);
+    stress = rod_bending_stress (rod_curvature_transversal (j, xi1, model.length)*history.V2, rod.half_height, ...
+                                 rod.lambda, rod.mu);
+  endif
+endfunction
+
+%!test
+%! scene = check_scene (setfield (paper (), "model", "modes", [0 1]));
+%! model = build_model (scene);
+%! history = struct ("t", [0 1], "phi", [0 0], "V1", zeros (0, 2), "V2", [0, 1e-4]);
+%! drawing = rod_drawing (scene, model, history);
+%! E = 8.1e10*(3*1.2e11 + 2*8.1e10)/(1.2e11 + 8.1e10);
+%! assert (max (drawing.bodies.stress(:,2)), E*pi^2*1e-4*0.015, 1);
+%! assert (max (drawing.bodies.y(:,2)), 300e-4, 1e-12);

@@ -1,0 +1,29 @@
+## All %!test blocks of octave/, where every function file has some, and of tests/octave/.
+source octave/toolchain_path.m
+root = pwd ();
+addpath (fullfile (root, "tests", "octave"));
+[status, listing] = system ("find octave tests/octave -name '*.m' | sort");
+failed = 0;
+for file = strsplit (strtrim (listing), "\n")
+  text = fileread (file{1});
+  if (isempty (regexp (text, '^(## [^\n]*\n|\s)*function', "once")))
+    continue;  # a script
+  endif
+  log = tempname ();
+  id = fopen (log, "w");
+  [passed, total, xfail, bugs, skipped] = test (fullfile (root, file{1}), "quiet", id);
+  fclose (id);
+  if (passed == total && total > 0 && xfail + bugs + skipped == 0)
+    cellfun (@(k) printf ("ok %s %d\n", file{1}, k), num2cell (1:total));
+  else
+    reason = "it has no test";
+    if (total > 0)
+      reason = strjoin (strsplit (strtrim (fileread (log)), "\n"), " | ");
+    endif
+    printf ("not ok %s: %d of %d tests passed: %s\n", file{1}, passed, total, reason(1:min (end, 1000)));
+    cellfun (@(k) printf ("ok %s %d\n", file{1}, k), num2cell (1:passed));
+    failed++;
+  endif
+  unlink (log);
+endfor
+exit (failed > 0);
