@@ -1,4 +1,4 @@
-# What the parser finds between operators: names, calls, lists and matrices.
+# What the parser finds between operators: names, constants and indexed names.
 
 BEGIN {
   constant["%pi"] = "pi"
@@ -46,72 +46,4 @@ function parse_sequence(id, closing)
     adopt(id, parse(0))
   }
   expect(closing)
-}
-
-# Maxima prints 'round(x) where it could not evaluate round: the call is meant.
-function parse_noun()
-{
-  if (!(token[position] in function_arity) && token[position] !~ /^(factorial|transpose|dot)$/)
-    fail("the noun '" shortened(token[position]) " cannot be translated")
-  position++
-  return parse_call(token[position - 1])
-}
-
-# `name (': an elementwise function of the table, or one of matrices.
-function parse_call(name,    id, count)
-{
-  position++
-  if (name == "matrix")
-    return parse_matrix()
-  if (!(name in function_arity) && name !~ /^(factorial|transpose|dot)$/)
-    fail("the function " shortened(name) " cannot be translated")
-  id = new_node("arguments", "", "", 0, 0)
-  parse_sequence(id, ")")
-  count = child_count[id]
-  if (name in function_arity ? function_arity[name] != "n" && count != function_arity[name] : count != 1 + (name == "dot"))
-    fail("the function " name " cannot have " count " arguments")
-  if (name == "factorial")
-    return factorial_node(child[id, 1])
-  if (name == "transpose")
-    return transpose_node(child[id, 1])
-  if (name == "dot")
-    return dot_node(child[id, 1], child[id, 2])
-  return function_arity[name] == "n" ? fold(function_octave[name], id) \
-    : call_node(function_octave[name], child[id, 1], count == 2 ? child[id, 2] : 0)
-}
-
-# Octave's max and min take two.
-function fold(name, id,    k, value)
-{
-  must_be_number(child[id, 1], name)
-  value = child[id, 1]
-  for (k = 2; k <= child_count[id]; k++)
-    value = call_node(name, value, child[id, k])
-  return value
-}
-
-function factorial_node(operand)
-{
-  return call_node("gamma", binary_node("+", operand, number_node("1")), 0)
-}
-
-function transpose_node(operand,    id)
-{
-  must_be_number(operand, "transpose")
-  id = new_node("transpose", "", transposed_shape(node_shape[operand]), 0, 0)
-  adopt(id, operand)
-  return id
-}
-
-# The scalar product of two columns.
-function dot_node(left, right,    id)
-{
-  must_be_number(left, "dot")
-  must_be_number(right, "dot")
-  if (node_shape[left] != node_shape[right] || node_shape[left] !~ /^(scalar|.*-by-1)$/)
-    fail("dot wants two columns of one size, not " node_shape[left] " and " node_shape[right])
-  id = new_node("call", "dot", "scalar", 0, 0)
-  adopt(id, left)
-  adopt(id, right)
-  return id
 }

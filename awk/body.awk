@@ -7,9 +7,8 @@ BEGIN {
   statement_count = 0
 }
 
-function parse_body(body,    k)
+function parse_body(    k)
 {
-  cut_into_tokens(body)
   if (next_is("block") && token[position + 1] == "(")
     parse_block()
   else

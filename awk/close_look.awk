@@ -4,11 +4,9 @@
 function put_close_look(    k)
 {
   emit("    check_sizes (\"" record["function"] "\", {")
-  for (k = 1; k <= argument_count; k++) {
-    emit("\"" argument_octave[k] "\", ")
-    emit(argument_octave[k] ", ")
-    emit(size_text(argument_shape[k]) (k < argument_count ? "; " : "});"))
-  }
+  for (k = 1; k <= argument_count; k++)
+    emit("\"" argument_octave[k] "\", " argument_octave[k] ", " size_text(argument_shape[k]) \
+      (k < argument_count ? "; " : "});"))
   put_pieces()
 }
 

@@ -5,9 +5,13 @@ BEGIN {
   define_functions("sin cos tan sec csc cot asin acos atan asec acsc acot" \
     " sinh cosh tanh sech csch coth asinh acosh atanh asech acsch acoth" \
     " exp log sqrt abs floor gamma erf erfc", 1)
+  define_functions("signum=sign ceiling=ceil truncate=fix entier=floor round=round_half_even log_gamma=gammaln", 1)
   define_functions("atan2 mod beta binomial=bincoeff", 2)
   define_functions("max min", "n")
-  define_functions("signum=sign ceiling=ceil truncate=fix entier=floor round=round_half_even log_gamma=gammaln", 1)
+
+  # With nodes of their own, see atoms.awk.
+  define_functions("factorial=gamma transpose", 1)
+  define_functions("dot", 2)
 }
 
 function define_functions(words, arity,    list, pair, k, count)
@@ -18,6 +22,6 @@ function define_functions(words, arity,    list, pair, k, count)
       pair[2] = pair[1]
     function_octave[pair[1]] = pair[2]
     function_arity[pair[1]] = arity
-    taken[pair[2]] = 1
+    is_octave_function[pair[2]] = 1
   }
 }

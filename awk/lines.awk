@@ -30,9 +30,9 @@ function put_broken(line_end, line_start,    line, k, chunk, fresh)
   line = chunk = ""
   for (k = 1; k <= piece_count; k++) {
     chunk = chunk piece[k]
-    if (k < piece_count && piece[k] !~ /( |[*\/])$/)
+    if (k < piece_count && !may_break(piece[k], length(chunk)))
       continue
-    if (!fresh && length(line chunk) > widest - 4) {
+    if (!fresh && length(line chunk) > widest - length(line_end)) {
       sub(/ +$/, "", line)
       put(line line_end)
       line = line_start
@@ -43,6 +43,12 @@ function put_broken(line_end, line_start,    line, k, chunk, fresh)
   }
   put(line)
   piece_count = 0
+}
+
+# Sums break before products do.
+function may_break(text, chunk_length)
+{
+  return text ~ / $/ || (chunk_length > widest / 2 && text ~ /[*\/]$/)
 }
 
 function put_assignment(name, value)

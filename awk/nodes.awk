@@ -101,23 +101,3 @@ function if_node(condition, yes, no,    id, shape)
   adopt(id, no)
   return id
 }
-
-function check_kind(id, operator)
-{
-  if (operator == "and" || operator == "or")
-    must_be_condition(id, operator)
-  else
-    must_be_number(id, operator)
-}
-
-function must_be_number(id, operator)
-{
-  if (node_truth[id])
-    fail("`" operator "' wants a number, not a condition")
-}
-
-function must_be_condition(id, operator)
-{
-  if (!node_truth[id])
-    fail("`" operator "' wants a condition, not a number")
-}

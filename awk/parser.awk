@@ -14,7 +14,7 @@ BEGIN {
   not_power = 70
   if_power = 45
   branch_power = 25
-  deepest_nesting = 500
+  deepest_nesting = 1000
   nesting = 0
 }
 

@@ -17,10 +17,18 @@ function put_checks(    k)
     return
   emit("  if (")
   for (k = 1; k <= test_count; k++)
-    emit(test[k] (k < test_count ? " || " : ")"))
+    emit_list(test[k] (k < test_count ? " || " : ")"))
   put_pieces()
   put_close_look()
   put("  endif")
+}
+
+# Commas are good places for the end of a line.
+function emit_list(text,    part, count, k)
+{
+  count = split(text, part, /, /)
+  for (k = 1; k <= count; k++)
+    emit(part[k] (k < count ? ", " : ""))
 }
 
 # `n = rows (V);' for the first argument that has the dimension.

@@ -7,9 +7,11 @@
 @include "numbers.awk"
 @include "functions.awk"
 @include "shapes.awk"
+@include "kinds.awk"
 @include "nodes.awk"
 @include "parser.awk"
 @include "atoms.awk"
+@include "calls.awk"
 @include "lists.awk"
 @include "body.awk"
 @include "results.awk"
@@ -27,6 +29,9 @@ BEGIN {
     exit 1
   }
   read_record(ARGV[1])
-  parse_body(record["body"])
+  cut_into_tokens(record["body"])
+  reserve_called_functions()
+  name_arguments_and_results()
+  parse_body()
   print_function_file()
 }

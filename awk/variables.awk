@@ -12,34 +12,29 @@ function take_function_name(name)
 {
   if (name !~ /^[A-Za-z][A-Za-z0-9_]*$/)
     fail("`" name "' is not an Octave function name")
-  if (name in taken)
+  if (name in taken || name in is_octave_function)
     fail("the function cannot be called " name ", a name with a meaning in Octave")
   taken[name] = 1
 }
 
-function take_argument(value,    field, k)
+function take_argument(value,    field)
 {
   split_fields(value, field)
-  k = ++argument_count
-  argument_name[k] = field[1]
-  argument_shape[k] = field[2]
-  argument_unit[k] = field[3]
-  argument_meaning[k] = field[4]
-  argument_octave[k] = octave_name(field[1])
-  if (field[2] == "array" && array_count == 50)
+  argument_name[++argument_count] = field[1]
+  argument_shape[argument_count] = field[2]
+  argument_unit[argument_count] = field[3]
+  argument_meaning[argument_count] = field[4]
+  if (field[2] == "array" && ++array_count > 50)
     fail("more than 50 arguments are arrays")
-  set_variable(field[1], argument_octave[k], field[2], 0, field[2] == "array" ? 2^array_count++ : 0)
 }
 
-function take_result(value,    field, k)
+function take_result(value,    field)
 {
   split_fields(value, field)
-  k = ++result_count
-  result_name[k] = field[1]
-  result_shape[k] = field[2]
-  result_unit[k] = field[3]
-  result_meaning[k] = field[4]
-  result_octave[k] = octave_name(field[1])
+  result_name[++result_count] = field[1]
+  result_shape[result_count] = field[2]
+  result_unit[result_count] = field[3]
+  result_meaning[result_count] = field[4]
 }
 
 function split_fields(value, field,    dimension)
@@ -56,6 +51,19 @@ function split_fields(value, field,    dimension)
   if (field[2] == "1-by-1")
     field[2] = "scalar"
   is_listed[field[1]] = 1
+}
+
+# After the functions that the body calls are known: their names are not free.
+function name_arguments_and_results(    k, bit)
+{
+  bit = 0
+  for (k = 1; k <= argument_count; k++) {
+    argument_octave[k] = octave_name(argument_name[k])
+    set_variable(argument_name[k], argument_octave[k], argument_shape[k], 0, \
+      argument_shape[k] == "array" ? 2^bit++ : 0)
+  }
+  for (k = 1; k <= result_count; k++)
+    result_octave[k] = octave_name(result_name[k])
 }
 
 function set_variable(name, octave, shape, truth, cover)

@@ -3,14 +3,14 @@
 ## Rate of the state of @code{hinged_rod}.  The equations come from @code{rod_equations}; here the mass matrix, whose
 ## block M is constant, is eliminated by blocks.
 ##
-## The moment may jump at the ends of @var{interval} = [start, end] (s): it is taken from inside.
+## The moment is taken at a time within @var{interval} = [start, end] (s), which has no jump in it.
 ## @end deftypefn
 
 function y_dot = hinged_rod_rate (t, y, interval, n, c)
   V = y(1:n);
   phi_dot = y(2*n+2);
   V_dot = y(n+2:2*n+1);
-  moment = c.moment (min (max (t, interval(1) + eps (interval(1))), interval(2) - eps (interval(2))));
+  moment = c.moment (min (max (t, interval(1)), interval(2)));
 
   [mass_V_phi, mass_phi_phi, force_V, force_phi, moment_power, dissipated_power] = rod_equations (
     y(n+1), phi_dot, V, V_dot, c.mass_matrix, c.gyroscopic_matrix, c.coupling_vector, c.centrifugal_vector, ...
@@ -23,9 +23,8 @@ function y_dot = hinged_rod_rate (t, y, interval, n, c)
   y_dot = [V_dot; phi_dot; solved(:,2) - phi_ddot*solved(:,1); phi_ddot; moment_power; dissipated_power];
 endfunction
 
-%!test # the rod's own moment jumps: taken from inside the interval
+%!test # where the moment jumps, the interval says which value is meant
 %! system = hinged_rod (scene = check_scene (paper ()), build_model (scene));
-%! before = system.rate (0.3, system.initial_state, [0 0.3]);
+%! before = system.rate (0.3, system.initial_state, [0, 0.3 - eps]);
 %! after = system.rate (0.3, system.initial_state, [0.3 1.8]);
-%! assert (before(8:14) != after(8:14) | true);
-%! assert (before(30) > after(30) + 10);
+%! assert (abs (before - after)(30) > 10);
