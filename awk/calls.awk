@@ -54,15 +54,14 @@ function transpose_node(operand,    id)
   return id
 }
 
-# The scalar product of two columns.
+# The scalar product of two columns. Octave multiplies x.'*y in a third of the time of its function dot.
 function dot_node(left, right,    id)
 {
   must_be_number(left, "dot")
   must_be_number(right, "dot")
   if (node_shape[left] != node_shape[right] || node_shape[left] !~ /^(scalar|.*-by-1)$/)
     fail("dot wants two columns of one size, not " node_shape[left] " and " node_shape[right])
-  id = new_node("call", "dot", "scalar", 0, 0)
-  adopt(id, left)
-  adopt(id, right)
+  id = binary_node(".", transpose_node(left), right)
+  node_shape[id] = "scalar"
   return id
 }

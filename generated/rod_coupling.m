@@ -30,8 +30,8 @@ function coefficients = rod_coupling (j, length, rhoA, rhoI)
     print_usage ();
   endif
   if (! size_equal (1, length, rhoA, rhoI))
-    check_sizes ("rod_coupling", {"j", j, []; "length", length, [1, 1]; "rhoA", rhoA, [1, 1]; "rhoI", ...
-      rhoI, [1, 1]});
+    check_sizes ("rod_coupling", {"j", j, []; "length", length, [1, 1]; "rhoA", rhoA, [1, 1]; ...
+      "rhoI", rhoI, [1, 1]});
   endif
   coefficients = -((-1).^j*length^2*rhoA)./(pi*j);
 endfunction

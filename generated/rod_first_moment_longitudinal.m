@@ -28,8 +28,8 @@ function coefficients = rod_first_moment_longitudinal (j, length, rhoA)
     print_usage ();
   endif
   if (! size_equal (1, length, rhoA))
-    check_sizes ("rod_first_moment_longitudinal", {"j", j, []; "length", length, [1, 1]; "rhoA", rhoA, ...
-      [1, 1]});
+    check_sizes ("rod_first_moment_longitudinal", {"j", j, []; "length", length, [1, 1]; ...
+      "rhoA", rhoA, [1, 1]});
   endif
   coefficients = 2*length*rhoA./(pi*(2*j - 1));
 endfunction

@@ -33,11 +33,11 @@ function coefficients = rod_gyroscopic (j, k, length, rhoA, rhoI)
     print_usage ();
   endif
   if (! size_equal (1, length, rhoA, rhoI) || ! size_equal (j, k))
-    check_sizes ("rod_gyroscopic", {"j", j, []; "k", k, []; "length", length, [1, 1]; "rhoA", rhoA, ...
-      [1, 1]; "rhoI", rhoI, [1, 1]});
+    check_sizes ("rod_gyroscopic", {"j", j, []; "k", k, []; "length", length, [1, 1]; ...
+      "rhoA", rhoA, [1, 1]; "rhoI", rhoI, [1, 1]});
   endif
-  coefficients = -(k.*(-1).^(k + j).*(4*pi^2*j.^2*rhoI - 4*pi^2*j*rhoI + pi^2*rhoI + 4*length^2*rhoA))./ ...
-      (pi*(2*k - 2*j + 1).*(2*k + 2*j - 1)*length);
+  coefficients = -(k.*(-1).^(k + j).*(4*pi^2*j.^2*rhoI - 4*pi^2*j*rhoI + pi^2*rhoI + ...
+      4*length^2*rhoA))./(pi*(2*k - 2*j + 1).*(2*k + 2*j - 1)*length);
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -33,8 +33,8 @@ function coefficients = rod_mass_transversal (j, k, length, rhoA, rhoI)
     print_usage ();
   endif
   if (! size_equal (1, length, rhoA, rhoI) || ! size_equal (j, k))
-    check_sizes ("rod_mass_transversal", {"j", j, []; "k", k, []; "length", length, [1, 1]; "rhoA", rhoA, ...
-      [1, 1]; "rhoI", rhoI, [1, 1]});
+    check_sizes ("rod_mass_transversal", {"j", j, []; "k", k, []; "length", length, [1, 1]; ...
+      "rhoA", rhoA, [1, 1]; "rhoI", rhoI, [1, 1]});
   endif
   coefficients = merge(j == k, (pi^2*j.^2*rhoI + length^2*rhoA)/(2*length), 0);
 endfunction

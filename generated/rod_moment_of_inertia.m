@@ -28,8 +28,8 @@ function value = rod_moment_of_inertia (length, rhoA, rhoI)
     print_usage ();
   endif
   if (! size_equal (1, length, rhoA, rhoI))
-    check_sizes ("rod_moment_of_inertia", {"length", length, [1, 1]; "rhoA", rhoA, [1, 1]; "rhoI", rhoI, ...
-      [1, 1]});
+    check_sizes ("rod_moment_of_inertia", {"length", length, [1, 1]; "rhoA", rhoA, [1, 1]; ...
+      "rhoI", rhoI, [1, 1]});
   endif
   value = length*(3*rhoI + length^2*rhoA)/3;
 endfunction

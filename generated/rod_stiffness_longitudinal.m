@@ -33,11 +33,11 @@ function coefficients = rod_stiffness_longitudinal (j, k, length, EA, GI)
     print_usage ();
   endif
   if (! size_equal (1, length, EA, GI) || ! size_equal (j, k))
-    check_sizes ("rod_stiffness_longitudinal", {"j", j, []; "k", k, []; "length", length, [1, 1]; "EA", ...
-      EA, [1, 1]; "GI", GI, [1, 1]});
+    check_sizes ("rod_stiffness_longitudinal", {"j", j, []; "k", k, []; "length", length, [1, 1]; ...
+      "EA", EA, [1, 1]; "GI", GI, [1, 1]});
   endif
-  coefficients = merge(j == k, pi^2*(2*j - 1).^2.*(4*EA*length^2 + 4*pi^2*GI*j.^2 - 4*pi^2*GI*j + pi^2* ...
-      GI)/(32*length^3), 0);
+  coefficients = merge(j == k, pi^2*(2*j - 1).^2.*(4*EA*length^2 + 4*pi^2*GI*j.^2 - 4*pi^2*GI*j + ...
+      pi^2*GI)/(32*length^3), 0);
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
