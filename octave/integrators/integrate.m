@@ -19,7 +19,7 @@ function [states, count] = integrate (system, times, solver)
   ends = [times(1), breaks, times(end)];
   states = zeros (numel (system.initial_state), numel (times));
   y = system.initial_state;
-  watch_rate ("start", times(end));
+  watch_rate (times(end));
   for k = 1:numel (ends) - 1
     interval = ends([k, k+1]);
     inside = times >= interval(1) & times <= interval(2);
@@ -30,7 +30,7 @@ function [states, count] = integrate (system, times, solver)
     states(:,inside) = reached(:,ismember (stops, times(inside)));
     y = reached(:,end);
   endfor
-  calls = watch_rate ("stop");
+  calls = watch_rate ();
   count = struct ("method", func2str (method)(11:end), "steps", round (calls*steps_per_call), "calls", calls, ...
                   "seconds", toc (start));
 endfunction

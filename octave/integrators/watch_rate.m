@@ -1,22 +1,21 @@
 ## -*- texinfo -*-
-## @deftypefn {} {} watch_rate ("start", @var{end_time})
+## @deftypefn {} {} watch_rate (@var{end_time})
 ## @deftypefnx {} {@var{y_dot} =} watch_rate (@var{t}, @var{y_dot})
-## @deftypefnx {} {@var{calls} =} watch_rate ("stop")
-## Count the calls of a rate between start and stop and, on a terminal, show how far the time @var{t} (s) has come.
-## The rate passes through.
+## @deftypefnx {} {@var{calls} =} watch_rate ()
+## Start to watch a rate up to @var{end_time} (s); let a value pass and count it; end, with the number of calls.
+## On a terminal it shows how far the time @var{t} (s) has come and how many seconds are left.
 ## @end deftypefn
 
 function value = watch_rate (t, value)
-  persistent calls end_time clock shown on_terminal;
-  if (! ischar (t))
-    if (! bitand (++calls, 1023) && on_terminal && toc (clock) > shown + 0.5)
-      shown = toc (clock);
-      printf ("\r%5.1f %% of %g s simulated, %.0f s left ", 100*t/end_time, end_time, shown*(end_time/max (t, eps) - 1));
-      fflush (stdout);
+  persistent calls due end_time clock shown;
+  if (nargin == 2)
+    if (++calls == due)
+      due += 1000;
+      shown = show_progress (t, end_time, toc (clock), shown);
     endif
-  elseif (strcmp (t, "start"))
-    [calls, end_time, clock, shown] = deal (0, value, tic (), 0);
-    on_terminal = system ("test -t 1") == 0;
+  elseif (nargin == 1)
+    [calls, end_time, clock, shown] = deal (0, t, tic (), 0);
+    due = [Inf, 1000](1 + (system ("test -t 1") == 0));
   else
     value = calls;
     if (shown > 0)
@@ -25,8 +24,16 @@ function value = watch_rate (t, value)
   endif
 endfunction
 
+function shown = show_progress (t, end_time, seconds, shown)
+  if (seconds > shown + 0.5)
+    shown = seconds;
+    printf ("\r%5.1f %% of %g s simulated, %.0f s left ", 100*t/end_time, end_time, seconds*(end_time/max (t, eps) - 1));
+    fflush (stdout);
+  endif
+endfunction
+
 %!test
-%! watch_rate ("start", 1);
+%! watch_rate (1);
 %! assert (watch_rate (0.5, [1; 2]), [1; 2]);
 %! watch_rate (0.6, 0);
-%! assert (watch_rate ("stop"), 2);
+%! assert (watch_rate (), 2);

@@ -83,3 +83,16 @@ endfunction
 %! assert (scene.gravity, 9.81);
 %! assert (scene.rod.density, 7800);
 %! assert (scene.moment (3), 0);
+%!error <rod.length is missing: it takes positive number in m> check_scene (struct ("rod", struct ()))
+%!error <rod.length is NaN: it takes positive number in m> check_scene (setfield (smallest (), "rod", "length", NaN))
+%!error <colour is not a field of a scene: those are title, rod.length,> check_scene (setfield (smallest (), "colour", 1))
+%!error <rod.colour is not a field of a scene> check_scene (setfield (smallest (), "rod", "colour", 1))
+%!error <rod is a double: it takes a struct> check_scene (setfield (smallest (), "rod", 3))
+%!error <rod.width and rod.half_height are missing>
+%! check_scene (struct ("rod", struct ("length", 1), "duration", 1))
+%!error <rod.EA, rod.EI and rod.rhoA are given together> check_scene (setfield (smallest (), "rod", "EA", 1))
+%!error <moment gives 300 at t = \[0.*1\]: it takes a vectorised function>
+%! check_scene (setfield (smallest (), "moment", @(t) 300))
+%!error <moment fails at t = .*nonconformant> check_scene (setfield (smallest (), "moment", @(t) t*t))
+%!error <a scene is a function that returns a struct, not a double> check_scene (3)
+%!error <initial.V1 is "a": it takes vector of amplitudes in m> check_scene (setfield (smallest (), "initial", "V1", "a"))

@@ -27,7 +27,7 @@ function report (folder, summary)
           summary.steps, summary.rate_calls, summary.largest_energy_error);
   printf ("seconds: %.1f integration, %.1f pictures, %.1f in all\n", summary.seconds.integration, ...
           summary.seconds.pictures, summary.seconds.total);
-  printf ("warning: %s\n", summary.warnings{:});
+  cellfun (@(text) printf ("warning: %s\n", text), summary.warnings);
   printf ("%s/ has history.csv, summary.json, frames/, animation.mp4, animation.gif, figure3.svg, history.svg\n", folder);
 endfunction
 

@@ -6,18 +6,21 @@
 
 function draw_frames (drawing, scratch)
   mkdir (fullfile (scratch, "..", "frames"));
-  camera = fit_camera (drawing, [690 590]);
+  camera = fit_camera (drawing, [670 590]);
   [stress, range, unit] = body_stress (drawing.bodies);
   history = [drawing.time; rad2deg(drawing.history.phi); drawing.history.phi_dot; drawing.moment];
 
   settings = scene_settings (drawing, camera);
   settings.stress = range;
   settings.stress_label = ["largest bending stress, " unit];
-  settings.colour_bar = double (! all (cellfun (@isempty, stress)));
-  settings.t = padded_range (history(1,:));
-  settings.phi = padded_range (history(2,:));
-  settings.phi_dot = padded_range (history(3,:));
-  settings.moment = padded_range (history(4,:));
+  coloured = ! cellfun (@isempty, stress);
+  settings.coloured = sum (coloured);
+  settings.thickness = sprintf ("%.2f ", 2 * max ([drawing.bodies(coloured).half_height] / camera.pixel, 1.5));
+  names = {"t", "phi", "phi_dot", "moment"};
+  for i = 1:4
+    settings.(names{i}) = padded_range (history(i,:));
+    settings.([names{i} "_step"]) = tic_step (settings.(names{i}), 6 - 2*(i > 1));
+  endfor
   write_text (fullfile (scratch, "settings.gp"),
               [gnuplot_settings(settings), gnuplot_block("history", {history.'})]);
 
@@ -28,7 +31,7 @@ function draw_frames (drawing, scratch)
   run_gnuplot (scratch, "frames.gp", frames);
 endfunction
 
-%!test <more frames than processors, each with the right size>
+%!test # more frames than processors, each with the right size
 %! folder = tempname ();
 %! mkdir (folder);
 %! mkdir (fullfile (folder, "scratch"));
@@ -38,7 +41,7 @@ endfunction
 %!     information = imfinfo (fullfile (folder, "frames", sprintf ("frame_%04d.png", frame)));
 %!     assert ([information.Width, information.Height], [1280, 720]);
 %!   endfor
-%! unwind_protect_end
+%! unwind_protect_cleanup
 %!   confirm_recursive_rmdir (false, "local");
 %!   rmdir (folder, "s");
 %! end_unwind_protect

@@ -14,7 +14,7 @@ function camera = fit_camera (drawing, panel)
   y = [y; drawing.hinges.y(:) - reach; drawing.hinges.y(:) + reach];
   if (any (drawing.moment))
     ## The moment's arrow and its value stand around O.
-    x = [x; drawing.hinges.x(1,:).' - 0.32*span; drawing.hinges.x(1,:).' + 0.32*span];
+    x = [x; drawing.hinges.x(1,:).' - 0.4*span; drawing.hinges.x(1,:).' + 0.4*span];
     y = [y; drawing.hinges.y(1,:).' - 0.2*span; drawing.hinges.y(1,:).' + 0.2*span];
   endif
   low = [min(x), min(y)];

@@ -1,30 +1,51 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{text} =} frame_data (@var{drawing}, @var{stress}, @var{camera}, @var{frame})
-## What one @var{frame} shows, as variables and data blocks of gnuplot: the clock, the moment's arrow, the hinges, the
-## tip's path, and an index for each body in $rest, $outline and $centreline. The last has the @var{stress} as its third
-## column, NaN where there is none.
+## What one @var{frame} shows, as variables and data blocks of gnuplot: the clock, the moment's arrow, the tip's path,
+## the hinges, and an index for each body in $rest and $outline. $pieces has an index for each body with a @var{stress}
+## (see @code{body_stress}): start, extent and stress of pieces of its centreline.
 ## @end deftypefn
 
 function text = frame_data (drawing, stress, camera, frame)
   bodies = drawing.bodies;
+  pieces = {};
   for i = 1:numel (bodies)
-    x = bodies(i).x(:,frame);
-    y = bodies(i).y(:,frame);
+    centre = [bodies(i).x(:,frame), bodies(i).y(:,frame)];
     rest{i} = [bodies(i).rest_x(:,frame), bodies(i).rest_y(:,frame)];
-    outline{i} = body_outline (x, y, drawn_half_height (bodies(i), camera));
-    centreline{i} = [x, y, body_colour(stress{i}, frame, numel (x))];
+    outline{i} = body_outline (centre(:,1), centre(:,2), max (bodies(i).half_height, 1.5*camera.pixel));
+    if (! isempty (stress{i}))
+      ## Each piece reaches over the next one too, which covers it: so no seams show.
+      reach = centre([3:end, end, end],:) - centre;
+      pieces{end+1} = [centre, reach, stress{i}(:,frame)](1:end-1,:);
+    endif
   endfor
-  path = [bodies(end).x(end,1:frame); bodies(end).y(end,1:frame)].';
+  tip_path = [bodies(end).x(end,1:frame); bodies(end).y(end,1:frame)].';
   [ground, pins] = hinge_symbol (drawing.hinges, frame, camera.symbol);
 
   moment = drawing.moment(frame);
   hinge = [drawing.hinges.x(1,frame), drawing.hinges.y(1,frame)];
-  [arrow, place] = moment_arrow (moment, hinge, free_direction (bodies, hinge, frame), 3 * camera.symbol);
+  away = hinge - mean (vertcat (rest{:}));
+  [arrow, place] = moment_arrow (moment, hinge, atan2 (away(2), away(1)), 3*camera.symbol);
+  settings.clock = sprintf ("t = %.*f s", max (2, ceil (log10 (drawing.frames_per_second))), drawing.time(frame));
+  [scale, unit] = unit_prefix (moment, "N m");
+  settings.moment_label = repmat (sprintf ("%.3g %s", moment/scale, unit), 1, moment != 0);
+  label_size = [5.5*numel(settings.moment_label), 11] * camera.pixel;
+  settings.moment_place = place + label_size .* away / norm (away);
 
-  settings.clock = sprintf ("t = %.*f s", clock_digits (drawing.frames_per_second), drawing.time(frame));
-  settings.moment_label = ifelse_text (moment, sprintf ("M = %.3g N m", moment));
   text = [gnuplot_settings(settings), ...
-          gnuplot_block("rest", rest), gnuplot_block("outline", outline), gnuplot_block("centreline", centreline), ...
-          gnuplot_block("path", {path}), gnuplot_block("ground", {ground}), gnuplot_block("pins", {pins}), ...
-          gnuplot_block("moment", {arrow, place})];
+          gnuplot_block("rest", rest), gnuplot_block("outline", outline), gnuplot_block("pieces", pieces), ...
+          gnuplot_block("tip_path", {tip_path}), gnuplot_block("moment", {arrow}), ...
+          gnuplot_block("ground", {ground}), gnuplot_block("pins", {pins})];
 endfunction
+
+%!function text = data_of (drawing, frame)
+%!  text = frame_data (drawing, body_stress (drawing.bodies), fit_camera (drawing, [4 3]), frame);
+%!endfunction
+
+%!test # the moment is named while it acts
+%! drawing = sample_drawing (19);
+%! assert (! isempty (strfind (data_of (drawing, 2), "moment_label = '30 N m'")));
+%! assert (! isempty (strfind (data_of (drawing, 9), "moment_label = ''")));
+%!test # a fast film has a finer clock
+%! drawing = sample_drawing (19);
+%! drawing.frames_per_second = 1000;
+%! assert (! isempty (strfind (data_of (drawing, 2), "clock = 't = 0.100 s'")));

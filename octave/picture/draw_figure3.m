@@ -1,0 +1,55 @@
+## -*- texinfo -*-
+## @deftypefn {} {} draw_figure3 (@var{drawing}, @var{scratch})
+## The paper's figure 3: all of @var{drawing} (see @code{draw_pictures}) in one picture, @file{figure3.svg},
+## @file{figure3.png} and @file{figure3.pdf} beside the folder @var{scratch}, which takes the data. The bodies stand
+## there at up to 13 even times, shaded from the first to the last.
+## @end deftypefn
+
+function draw_figure3 (drawing, scratch)
+  camera = fit_camera (drawing, [790 690]);
+  shown = unique (round (linspace (1, numel (drawing.time), 13)));
+  settings = scene_settings (drawing, camera);
+  settings.duration = sprintf ("%.4g s", drawing.time(end) - drawing.time(1));
+  ## A single frame stands for the time that it is shown.
+  settings.t = drawing.time(1) + [0, max(drawing.time(end) - drawing.time(1), 1/drawing.frames_per_second)];
+
+  outlines = rests = {};
+  pins = [];
+  for frame = shown
+    for body = drawing.bodies(:).'
+      half_height = max (body.half_height, 1.5*camera.pixel);
+      outlines{end+1} = body_outline (body.x(:,frame), body.y(:,frame), half_height);
+      rests{end+1} = [body.rest_x(:,frame), body.rest_y(:,frame)];
+      times(numel (outlines)) = drawing.time(frame);
+    endfor
+    [ground, pin] = hinge_symbol (drawing.hinges, frame, camera.symbol);
+    pins = [pins; pin];
+  endfor
+  settings.outlines = numel (outlines);
+  settings.times = sprintf ("%.9g ", times);
+  tip_path = [drawing.bodies(end).x(end,:); drawing.bodies(end).y(end,:)].';
+  write_text (fullfile (scratch, "settings.gp"),
+              [gnuplot_settings(settings), gnuplot_block("outlines", outlines), gnuplot_block("rests", rests), ...
+               gnuplot_block("tip_path", {tip_path}), gnuplot_block("ground", {ground}), gnuplot_block("pins", {pins})]);
+  run_gnuplot (scratch, "figure3.gp");
+endfunction
+
+%!function check_files (draw, drawing, names)
+%!  folder = tempname ();
+%!  mkdir (folder);
+%!  mkdir (fullfile (folder, "scratch"));
+%!  unwind_protect
+%!    draw (drawing, fullfile (folder, "scratch"));
+%!    for name = names
+%!      assert (stat (fullfile (folder, name{1})).size > 1000);
+%!    endfor
+%!  unwind_protect_cleanup
+%!    confirm_recursive_rmdir (false, "local");
+%!    rmdir (folder, "s");
+%!  end_unwind_protect
+%!endfunction
+
+%!test
+%! check_files (@draw_figure3, sample_drawing (30), {"figure3.svg", "figure3.png", "figure3.pdf"});
+%!test # a single frame
+%! check_files (@draw_figure3, sample_drawing (1), {"figure3.svg"});

@@ -1,0 +1,43 @@
+## -*- texinfo -*-
+## @deftypefn {} {} draw_history (@var{drawing}, @var{scratch})
+## The time histories of @var{drawing} (see @code{draw_pictures}), @file{history.svg} beside the folder @var{scratch},
+## which takes the data.
+## @end deftypefn
+
+function draw_history (drawing, scratch)
+  panels = history_panels (drawing);
+  settings = scene_settings (drawing, fit_camera (drawing, [1 1]));
+  settings.t = padded_range (drawing.time);
+  settings.panels = numel (panels);
+  inside = drawing.moment_breaks > settings.t(1) & drawing.moment_breaks < settings.t(2);
+  settings.breaks = sprintf ("%.9g ", drawing.moment_breaks(inside));
+  write_text (fullfile (scratch, "settings.gp"), gnuplot_settings (settings));
+  for i = 1:numel (panels)
+    panel = struct ("label", panels(i).label, "names", strjoin (panels(i).names), ...
+                    "range", padded_range (panels(i).values), "step", tic_step (padded_range (panels(i).values), 5));
+    write_text (fullfile (scratch, sprintf ("panel_%d.gp", i)),
+                [gnuplot_settings(panel), gnuplot_block("curves", {[drawing.time; panels(i).values].'})]);
+  endfor
+  run_gnuplot (scratch, "history.gp");
+endfunction
+
+%!function text = history_of (drawing)
+%!  folder = tempname ();
+%!  mkdir (folder);
+%!  mkdir (fullfile (folder, "scratch"));
+%!  unwind_protect
+%!    draw_history (drawing, fullfile (folder, "scratch"));
+%!    text = fileread (fullfile (folder, "history.svg"));
+%!  unwind_protect_cleanup
+%!    confirm_recursive_rmdir (false, "local");
+%!    rmdir (folder, "s");
+%!  end_unwind_protect
+%!endfunction
+
+%!test
+%! text = history_of (sample_drawing (20));
+%! for shown = {"energies, J", "V2_1", "largest modes, µm", "break of M", "ψ"}
+%!   assert (! isempty (strfind (text, shown{1})), shown{1});
+%! endfor
+%!test # a single frame, and a break that is not in the picture
+%! assert (isempty (strfind (history_of (sample_drawing (1)), "break of M")));

@@ -1,0 +1,66 @@
+# One picture a frame, from first to last: the scene at the left, its time histories at the right.
+set terminal pngcairo size 1280,720 font "sans-serif,12.5"
+X(pixels) = pixels/1280.
+Y(pixels) = pixels/720.
+
+array quantity[3] = ["{/:Italic φ}, °", "d{/:Italic φ}/d{/:Italic t}, rad/s", "{/:Italic M}, N m"]
+array low[3]      = [phi_low, phi_dot_low, moment_low]
+array high[3]     = [phi_high, phi_dot_high, moment_high]
+array step[3]     = [phi_step, phi_dot_step, moment_step]
+array bottom[3]   = [425, 245, 65]
+
+set cbrange [stress_low:stress_high]
+set cblabel stress_label textcolor rgb ink
+set colorbox user origin screen X(795),Y(65) size screen X(16),Y(480)
+if (!coloured) { unset colorbox }
+
+do for [frame=first:last] {
+  load sprintf("%04d.gp", frame)
+  set output sprintf("../frames/frame_%04d.png", frame)
+  set multiplot
+
+  set margins at screen X(95),at screen X(765),at screen Y(65),at screen Y(655)
+  set xrange [x_low:x_high]
+  set xtics metre_step
+  set ytics metre_step
+  set yrange [y_low:y_high]
+  set xlabel "{/:Italic b}^1, m" offset 0
+  set ylabel "{/:Italic b}^2, m" offset 0
+  set label 1 title at screen X(95),Y(688) noenhanced font sprintf("sans-serif,%g", 0.75*title_size)
+  set label 2 clock at screen X(1255),Y(650) right font "sans-serif,20"
+  set label 3 zoom at screen X(1255),Y(616) right
+  set label 4 moment_label at moment_place_low,moment_place_high center front
+  if (gravity) {
+    set label 5 "{/:Italic g}" at screen X(812),Y(622)
+    set arrow 1 from screen X(800),Y(650) to screen X(800),Y(590) lw 2 lc rgb ink
+  }
+  plot $ground with lines lc rgb ink lw 1.5, \
+       $tip_path with lines lc rgb light lw 1.5, \
+       for [i=1:bodies] $rest index i-1 with lines lc rgb light lw 1.5 dt 2, \
+       for [i=1:bodies] $outline index i-1 with filledcurves closed fc rgb body, \
+       for [i=1:coloured] $pieces index i-1 with vectors nohead lc palette lw word(thickness, i), \
+       for [i=1:bodies] $outline index i-1 with lines lc rgb ink lw 0.7, \
+       $pins with filledcurves closed fc rgb "white", \
+       $pins with lines lc rgb ink lw 1.5, \
+       $moment with lines lt 2 lw 2.5
+
+  unset label
+  unset arrow
+  unset ylabel
+  set xrange [t_low:t_high]
+  set xtics t_step
+  do for [i=1:3] {
+    set margins at screen X(960),at screen X(1255),at screen Y(bottom[i]),at screen Y(bottom[i] + 150)
+    set yrange [low[i]:high[i]]
+    set ytics step[i]
+    set xlabel (i == 3 ? "{/:Italic t}, s" : "")
+    set format x (i == 3 ? "%h" : "")
+    set label 1 quantity[i] at graph 0,1.1
+    plot $history using 1:i+1 with lines lc rgb light, \
+         $history using 1:i+1 every ::0::frame-1 with lines lt 1, \
+         $history using 1:i+1 every ::frame-1::frame-1 with points lt 1 pt 7 ps 1.2
+  }
+  unset format
+  unset multiplot
+  unset output
+}

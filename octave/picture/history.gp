@@ -1,0 +1,29 @@
+# The time histories, a panel each, one above the other over the same time.
+height = 105 + 190*panels
+set terminal svg size 1000,height dynamic font "sans-serif,15" background "white"
+X(pixels) = pixels/1000.
+Y(pixels) = pixels/real(height)
+
+set output "../history.svg"
+set multiplot
+set label 1 title at screen X(95),Y(height - 25) noenhanced font sprintf("sans-serif,%g", title_size)
+set xrange [t_low:t_high]
+set format x ""
+set key at graph 1.01,1 left top reverse Left samplen 2 noenhanced textcolor rgb ink
+do for [b in breaks] { set arrow from real(b), graph 0 to real(b), graph 1 nohead dt 2 lw 1 lc rgb ink }
+
+# The first curve is the widest: where curves coincide, all are seen.
+do for [p=1:panels] {
+  load sprintf("panel_%d.gp", p)
+  bottom = 75 + 190*(panels - p)
+  set margins at screen X(95),at screen X(815),at screen Y(bottom),at screen Y(bottom + 150)
+  set yrange [range_low:range_high]
+  set ytics step
+  set label 2 label at graph 0,1.1 textcolor rgb ink
+  if (p == panels) { set format x "%h"; set xlabel "{/:Italic t}, s" }
+  marks = p == 1 && words(breaks) > 0
+  plot for [k=1:words(names)] $curves using 1:k+1 with linespoints lt k lw 1 + 2.5/k pt 7 ps 0.2 title word(names, k), \
+       for [k=1:marks] NaN with lines dt 2 lw 1 lc rgb ink title "break of M"
+  unset label 1
+}
+unset multiplot
