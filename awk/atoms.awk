@@ -33,7 +33,7 @@ function parse_index(name,    id)
     position++
     parse_sequence(id, "]")
   }
-  check_index(name, variable_shape[name], id, child_count[id])
+  check_index(name, name in is_single ? "1-by-1" : variable_shape[name], id, child_count[id])
   return id
 }
 

@@ -48,8 +48,10 @@ function split_fields(value, field,    dimension)
     fail("the name " field[1] " is used twice")
   if (field[2] !~ ("^(scalar|array|" dimension "-by-" dimension ")$"))
     fail("`" field[2] "' is not a shape: scalar, array or R-by-C")
-  if (field[2] == "1-by-1")
+  if (field[2] == "1-by-1") {
     field[2] = "scalar"
+    is_single[field[1]] = 1  # a vector of one element, which may be indexed
+  }
   is_listed[field[1]] = 1
 }
 

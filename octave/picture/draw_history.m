@@ -9,7 +9,7 @@ function draw_history (drawing, scratch)
   settings = scene_settings (drawing, fit_camera (drawing, [1 1]));
   settings.t = padded_range (drawing.time);
   settings.panels = numel (panels);
-  inside = drawing.moment_breaks > settings.t(1) & drawing.moment_breaks < settings.t(2);
+  inside = drawing.moment_breaks > drawing.time(1) & drawing.moment_breaks < drawing.time(end);
   settings.breaks = sprintf ("%.9g ", drawing.moment_breaks(inside));
   write_text (fullfile (scratch, "settings.gp"), gnuplot_settings (settings));
   for i = 1:numel (panels)

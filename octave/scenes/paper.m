@@ -5,7 +5,7 @@
 ## @end deftypefn
 
 function scene = paper ()
-  scene.title = "Elastic rod driven by a moment, Mares and Stefan (2010)";
+  scene.title = "Elastic rod driven by a moment, Mareš and Štefan (2010)";
   scene.rod.length = 1;
   scene.rod.width = 0.02;
   scene.rod.half_height = 0.015;
