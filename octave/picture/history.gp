@@ -23,7 +23,7 @@ do for [p=1:panels] {
   if (p == panels) { set format x "%h"; set xlabel "{/:Italic t}, s" }
   marks = p == 1 && words(breaks) > 0
   plot for [k=1:words(names)] $curves using 1:k+1 with linespoints lt k lw 1 + 2.5/k pt 7 ps 0.2 title word(names, k), \
-       for [k=1:marks] NaN with lines dt 2 lw 1 lc rgb ink title "break of M"
+       NaN with lines dt 2 lw 1 lc rgb ink title (marks ? "break of M" : "")
   unset label 1
 }
 unset multiplot
