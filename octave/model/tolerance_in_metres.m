@@ -11,4 +11,6 @@ function tolerance = tolerance_in_metres (scene)
   endif
 endfunction
 
-%!assert (tolerance_in_metres (check_scene (paper ())), 5.787e-6, 1e-9)
+%!test # half a pixel of 2.5 m in 720, at zoom 300
+%! scene = check_scene (setfield (paper (), "solver", "tolerance", "pixel"));
+%! assert (tolerance_in_metres (scene), 0.5*2.5/720/300, 1e-12);
