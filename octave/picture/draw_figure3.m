@@ -30,7 +30,8 @@ function draw_figure3 (drawing, scratch)
   tip_path = [drawing.bodies(end).x(end,:); drawing.bodies(end).y(end,:)].';
   write_text (fullfile (scratch, "settings.gp"),
               [gnuplot_settings(settings), gnuplot_block("outlines", outlines), gnuplot_block("rests", rests), ...
-               gnuplot_block("tip_path", {tip_path}), gnuplot_block("ground", {ground}), gnuplot_block("pins", {pins})]);
+               gnuplot_block("tip_path", {tip_path}), gnuplot_block("ground", {ground}), ...
+               gnuplot_block("pins", {pins})]);
   run_gnuplot (scratch, "figure3.gp");
 endfunction
 

@@ -7,14 +7,15 @@
 function warnings = make_film (frames_per_second, folder)
   warnings = {};
   if (system ("command -v ffmpeg > /dev/null") != 0)
-    warnings = {"animation.mp4 and animation.gif are missing, because ffmpeg is not installed: `make setup` installs it"};
+    warnings = {["animation.mp4 and animation.gif are missing, because ffmpeg is not installed: ", ...
+                 "`make setup` installs it"]};
     return;
   endif
   source = sprintf ("ffmpeg -nostdin -loglevel error -y -framerate %.9g -i frames/frame_%%04d.png", frames_per_second);
   run_tool (folder, "ffmpeg", [source " -c:v libx264 -pix_fmt yuv420p -crf 18 -movflags +faststart animation.mp4"]);
   ## Browsers slow a gif of more than 50 frames a second down.
-  palette = "split [a][b]; [a] palettegen [p]; [b][p] paletteuse";
-  run_tool (folder, "ffmpeg", sprintf ("%s -filter_complex 'fps=%.9g, %s' animation.gif", source, min (frames_per_second, 50), palette));
+  filter = sprintf ("fps=%.9g, split [a][b]; [a] palettegen [p]; [b][p] paletteuse", min (frames_per_second, 50));
+  run_tool (folder, "ffmpeg", [source " -filter_complex '" filter "' animation.gif"]);
 endfunction
 
 %!test # without ffmpeg
@@ -27,5 +28,5 @@ endfunction
 %! unwind_protect_cleanup
 %!   setenv ("PATH", path);
 %! end_unwind_protect
-%!testif ; system ("command -v ffmpeg > /dev/null") == 0 <without frames>
+%!testif ; system ("command -v ffmpeg > /dev/null") == 0 # without frames
 %! fail ("make_film (50, tempdir ())", "ffmpeg failed with status");

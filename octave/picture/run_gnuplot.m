@@ -14,7 +14,8 @@ function run_gnuplot (scratch, script, last = 1)
                 [gnuplot_settings(struct ("first", bounds(share) + 1, "last", bounds(share+1))), ...
                  sprintf("load %s\n", "'settings.gp'", scripts{:})]);
   endfor
-  run_tool (scratch, "gnuplot", "printf '%s\\n' share_*.gp | xargs -n 1 -P 0 gnuplot; status=$?; rm share_*.gp; (exit $status)");
+  run_tool (scratch, "gnuplot", "ls share_*.gp | xargs -n 1 -P 0 gnuplot");
+  delete (fullfile (scratch, "share_*.gp"));
 endfunction
 
 %!error <gnuplot failed with status 123: .*no_such_script.gp>
