@@ -24,12 +24,10 @@ function result = driver (scene = "paper", varargin)
   endif
   scene.solver.tolerance = tolerance_in_metres (scene);
 
-  model = build_model (scene);
-  rod_system = hinged_rod (scene, model);
-  times = frame_times (scene);
-  [states, count] = integrate (rod_system, times, scene.solver);
-  history = measure (rod_system, model, times, states);
-  summary = summarise (name, scene, model, count, history);
+  [model, choice] = model_of_scene (scene);
+  announce (choice);
+  [history, count] = run_model (scene, model, choice);
+  summary = summarise (name, scene, model, choice, count, history);
 
   if (! isempty (folder))
     summary = write_run (folder, scene, model, history, summary, start);

@@ -1,18 +1,22 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} watch_rate (@var{end_time})
 ## @deftypefnx {} {@var{y_dot} =} watch_rate (@var{t}, @var{y_dot})
+## @deftypefnx {} {@var{calls} =} watch_rate ("calls")
 ## @deftypefnx {} {@var{calls} =} watch_rate ()
-## Start to watch a rate up to @var{end_time} (s); let a value pass and count it; end, with the number of calls.
+## Start to watch a rate up to @var{end_time} (s); let a value pass and count it; the number of calls so far; end, with
+## that number.
 ## On a terminal it shows how far the time @var{t} (s) has come and how many seconds are left.
 ## @end deftypefn
 
 function value = watch_rate (t, value)
-  persistent calls due end_time clock shown;
+  persistent calls = 0 due = Inf end_time clock shown = 0;
   if (nargin == 2)
     if (++calls == due)
       due += 1000;
       shown = show_progress (t, end_time, toc (clock), shown);
     endif
+  elseif (nargin == 1 && ischar (t))
+    value = calls;
   elseif (nargin == 1)
     [calls, end_time, clock, shown] = deal (0, t, tic (), 0);
     due = [Inf, 1000](1 + (system ("test -t 1") == 0));

@@ -1,29 +1,86 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{model} =} build_model (@var{scene})
-## The model of a checked scene's rod: modes ([N1 N2]), reason (why these), section, arrays (@code{rod_arrays}) and the
-## slopes of the base functions at O.
+## @deftypefn {} {@var{model} =} build_model (@var{scene}, @var{rung})
+## The model of a checked scene's rod on a rung of the ladder (see @code{rung_of_scene}): a projection V = basis*q of the
+## same general arrays.
+##
+## Fields: rung, section, base (@code{base_functions}), basis (N-by-n), arrays (@code{rod_arrays}, projected, with
+## slope_1, slope_2 of (27) and the scalars of the followers), whole_mass_matrix and whole_coupling_vector (not
+## projected), force (shape_1, shape_2, shortening_matrix where it acts), followers (longitudinal modes without inertia,
+## or empty) and shortening (1 or 0).
 ## @end deftypefn
 
-function model = build_model (scene)
-  [model.modes, model.reason] = choose_modes (scene.model);
+function model = build_model (scene, rung)
+  model.rung = rung;
   model.length = scene.rod.length;
   model.section = rod_section (scene.rod, scene.model);
-  model.arrays = rod_arrays (model.modes, model.length, model.section);
-  [model.slope_1, model.slope_2] = rod_slopes (model.modes, 0, model.length);
+  model.shortening = double (strcmp (rung.stiffening, "foreshortening"));
+  model.base = base_of (rung, scene);
+
+  arrays = rod_arrays (model.base, model.section, model.shortening);
+  if (scene.tip_mass > 0)
+    arrays = add_point_mass (arrays, model.base, model.length, scene.tip_mass, model.shortening);
+  endif
+  [arrays.slope_1, arrays.slope_2] = at (model.base, 0, 1);
+  model.whole_mass_matrix = arrays.mass_matrix;
+  model.whole_coupling_vector = arrays.coupling_vector;
+
+  N1 = numel (model.base.longitudinal);
+  model.basis = rung_basis (rung, arrays, N1, ! isempty (scene.rotation));
+  model.arrays = project_arrays (arrays, model.basis);
+  model.followers = [];
+  if (strcmp (rung.axial, "quasistatic"))
+    model.followers = followers_of (arrays, 1:N1);
+  endif
+  model.arrays = set_followers (model.arrays, model.followers);
+
+  [force.shape_1, force.shape_2] = at (model.base, scene.force_station, 0);
+  force.shortening_matrix = model.shortening*shortening_at (model.base, scene.force_station);
+  model.force = project_arrays (force, model.basis);
 endfunction
 
-function [modes, reason] = choose_modes (choice)
-  [modes, reason] = deal (choice.modes, "given by the scene");
-  if (ischar (modes))
-    [modes, reason] = deal ([7 7], "the paper's numbers of modes, where the scene gives none");
+function [along, across] = at (base, station, derivative)
+  [along, across] = functions_at (base, station, derivative);
+  along = along.';
+  across = across.';
+endfunction
+
+function base = base_of (rung, scene)
+  if (! isempty (rung.sines))
+    base = base_functions (1:rung.sines(1), 1:rung.sines(2), scene.rod.length);
+    return;
   endif
-  modes = double (modes(:).');
-  if (strcmp (choice.axial, "none"))
-    modes(1) = 0;
+  sines = 1:30;
+  base = base_functions (sines(1:end*! strcmp (rung.axial, "none")), ...
+                         [sines, repmat(-1, 1, moment_at_O (scene))](1:end*(rung.bending > 0)), scene.rod.length);
+endfunction
+
+function yes = moment_at_O (scene)
+  yes = ! isempty (scene.rotation) || any (scene.moment (linspace (0, scene.duration, 1000)));
+endfunction
+
+function followers = followers_of (arrays, k)
+  followers.flexibility = inv (arrays.stiffness_matrix(k,k));
+  followers.centrifugal_vector = arrays.centrifugal_vector(k);
+  followers.first_moment_1 = arrays.first_moment_1(k);
+endfunction
+
+function arrays = set_followers (arrays, followers)
+  [arrays.follower_dd, arrays.follower_ds, arrays.follower_ss] = deal (0);
+  if (! isempty (followers))
+    [F, d, s] = deal (followers.flexibility, followers.centrifugal_vector, followers.first_moment_1);
+    [arrays.follower_dd, arrays.follower_ds, arrays.follower_ss] = deal (d.'*F*d, d.'*F*s, s.'*F*s);
   endif
 endfunction
 
-%!test
-%! model = build_model (check_scene (paper ()));
-%! assert (model.modes, [7 7]);
-%! assert (numel (model.slope_1), 14);
+%!test # the paper's sines are a basis of their own
+%! scene = check_scene (setfield (paper (), "model", "modes", [7 7]));
+%! model = build_model (scene, rung_of_scene (scene));
+%! assert (model.basis, eye (14));
+%! assert (numel (model.arrays.slope_1), 14);
+
+%!test # static followers: the elongation of a rod in steady rotation
+%! scene = check_scene (spin_up ());
+%! model = build_model (scene, struct ("sines", [], "bending", 0, "longitudinal", 0, "axial", "quasistatic", "stiffening", "none"));
+%! V1 = rod_followers (0, 6, 0, model.followers.flexibility, model.followers.centrifugal_vector, model.followers.first_moment_1);
+%! [along, across] = functions_at (model.base, 10);
+%! assert (along*V1, 1.2*6^2*10^3/(3*2.8e7), 2e-5*5.14e-4);

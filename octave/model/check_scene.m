@@ -16,7 +16,7 @@ function scene = check_scene (given)
   for field = fields.'
     [name, value, kind] = field{:};
     path = strsplit (name, ".");
-    if (has_field (given, path))
+    if (has_field (given, path) && ! (isequal (value, []) && isempty (getfield (given, path{:}))))
       value = getfield (given, path{:});
       got = value_error (kind, value);
       if (! isempty (got))
@@ -30,6 +30,43 @@ function scene = check_scene (given)
   check_section (scene.rod);
   scene.moment_breaks = unique (scene.moment_breaks(:).');
   scene.moment = moment_function (scene.moment, scene.duration);
+  check_values (scene, "rotation", 3, "theta, theta_dot and theta_ddot in rad, rad/s and rad/s^2");
+  check_values (scene, "force", 2, "F_x and F_y in N");
+  if (isempty (scene.force_station))
+    scene.force_station = scene.rod.length;
+  elseif (scene.force_station > scene.rod.length)
+    scene_error ("force_station is %g: it takes a place on the rod, at most %g m", scene.force_station, scene.rod.length);
+  endif
+  if (! isempty (scene.rotation))
+    refuse_with_rotation (scene);
+  endif
+endfunction
+
+## the tangent at O is prescribed: a moment there would do nothing, and phi follows
+function refuse_with_rotation (scene)
+  if (any (scene.moment (linspace (0, scene.duration, 1000))))
+    scene_error ("moment and rotation are both given: a hub that prescribes the rotation takes any moment at O");
+  elseif (scene.initial.phi != 0 || scene.initial.phi_dot != 0)
+    scene_error ("initial.phi, initial.phi_dot and rotation are both given: the rotation prescribes the angle");
+  endif
+endfunction
+
+## functions of one t with so many numbers each
+function check_values (scene, name, numbers, meaning)
+  load_function = scene.(name);
+  if (isempty (load_function))
+    return;
+  endif
+  for t = [0, scene.duration/2, scene.duration]
+    try
+      value = load_function (t);
+    catch err
+      scene_error ("%s fails at t = %g: %s", name, t, err.message);
+    end_try_catch
+    if (! (isnumeric (value) && isreal (value) && numel (value) == numbers && all (isfinite (value(:)))))
+      scene_error ("%s gives %s at t = %g: it takes %d numbers, %s", name, mat2str (value), t, numbers, meaning);
+    endif
+  endfor
 endfunction
 
 function refuse_unknown (given, prefix, names)
@@ -91,6 +128,13 @@ endfunction
 %!error <rod.width and rod.half_height are missing>
 %! check_scene (struct ("rod", struct ("length", 1), "duration", 1))
 %!error <rod.EA, rod.EI and rod.rhoA are given together> check_scene (setfield (smallest (), "rod", "EA", 1))
+%!error <rotation gives 3 at t = 0: it takes 3 numbers, theta,> check_scene (setfield (smallest (), "rotation", @(t) 3))
+%!error <force fails at t = 0: no wind> check_scene (setfield (smallest (), "force", @(t) error ("no wind")))
+%!error <force_station is 2: it takes a place on the rod, at most 1 m> check_scene (setfield (smallest (), "force_station", 2))
+%!error <moment and rotation are both given>
+%! check_scene (setfield (setfield (smallest (), "moment", 1), "rotation", @(t) [0 0 0]))
+%!error <rotation prescribes the angle>
+%! check_scene (setfield (setfield (smallest (), "initial", "phi", 1), "rotation", @(t) [0 0 0]))
 %!error <moment gives 300 at t = \[0.*1\]: it takes a vectorised function>
 %! check_scene (setfield (smallest (), "moment", @(t) 300))
 %!error <moment fails at t = .*nonconformant> check_scene (setfield (smallest (), "moment", @(t) t*t))

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{fields} =} scene_fields ()
-## All fields of a scene, a row each: name, default, kind (see @code{check_value}).  A default of NaN means that the
-## field must be given.
+## All fields of a scene, a row each: name, default, kind (see @code{value_error}).  A default of NaN means that the
+## field must be given; the breaks are those of all loads, whose functions take one t.
 ## @end deftypefn
 
 function fields = scene_fields ()
@@ -21,6 +21,10 @@ function fields = scene_fields ()
     "gravity",               9.81,           "number in m/s^2"
     "moment",                0,              "number or function of t in N m"
     "moment_breaks",         [],             "vector of times in s"
+    "rotation",              [],             "function of t that returns [theta theta_dot theta_ddot]"
+    "force",                 [],             "function of t that returns [F_x F_y] in N"
+    "force_station",         [],             "nonnegative number in m"
+    "tip_mass",              0,              "nonnegative number in kg"
     "initial.phi",           0,              "number in rad"
     "initial.phi_dot",       0,              "number in rad/s"
     "initial.V1",            [],             "vector of amplitudes in m"
@@ -32,11 +36,11 @@ function fields = scene_fields ()
     "zoom",                  1,              "nonnegative number"
     "model.modes",           "auto",         "\"auto\" or two numbers of modes [N1 N2]"
     "model.energy",          "paper",        "\"paper\" or \"uniaxial\""
-    "model.axial",           "auto",         "\"auto\", \"dynamic\" or \"none\""
-    "model.stiffening",      "auto",         "\"auto\" or \"none\""
+    "model.axial",           "auto",         "\"auto\", \"dynamic\", \"quasistatic\" or \"none\""
+    "model.stiffening",      "auto",         "\"auto\", \"foreshortening\" or \"none\""
     "model.moment_work",     "tangent",      "\"tangent\" or \"chord\""
     "model.rotary_inertia",  true,           "true or false"
-    "solver.name",           "auto",         "\"auto\" or \"ode45\""
+    "solver.name",           "auto",         "\"auto\", \"ode45\" or \"exponential\""
     "solver.tolerance",      "pixel",        "\"pixel\" or positive number in m"
   };
 endfunction

@@ -1,29 +1,45 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{history} =} measure (@var{system}, @var{model}, @var{times}, @var{states})
 ## What is observed at the frame times: a struct of 1-by-m rows t, phi, phi_dot, psi, tip_x, tip_y, T, U, Z, W, D, balance
-## (T + U + Z + D - W, constant), and of the matrices V1 (N1-by-m), V2 (N2-by-m).
+## (T + U + Z + D - W, constant) and torque (of a hub, else empty), and the coordinates q (n-by-m) and amplitudes V (N-by-m) of all base functions, with
+## their names V1_1, ..., V2_1, ... (V2_-1: the correction for a moment at O).
 ## @end deftypefn
 
 function history = measure (system, model, times, states)
-  n = system.n;
+  motion = system.motion (times, states);
   history.t = times;
-  history.phi = states(n+1,:);
-  history.phi_dot = states(2*n+2,:);
-  history.V1 = states(1:model.modes(1),:);
-  history.V2 = states(model.modes(1)+1:n,:);
+  history.phi = motion.phi;
+  history.phi_dot = motion.phi_dot;
+  history.torque = motion.torque;
+  history.q = motion.q;
+  history.V = model.basis*motion.q;
+  N1 = numel (model.base.longitudinal);
+  followers = model.followers;
+  a = model.arrays;
+  for k = 1:numel (times)
+    [phi, phi_dot, q] = deal (motion.phi(k), motion.phi_dot(k), motion.q(:,k));
+    if (! isempty (followers))
+      history.V(1:N1,k) = rod_followers (phi, phi_dot, system.gravity, followers.flexibility, ...
+                                         followers.centrifugal_vector, followers.first_moment_1);
+    endif
+    history.psi(k) = rod_tangent_angle (phi, q, a.slope_1, a.slope_2);
+    E = system.energies (phi, phi_dot, q, motion.q_dot(:,k));
+    [history.T(k), history.U(k), history.Z(k)] = deal (E(1), E(2), E(3));
+  endfor
+  history.V_names = [numbered("V1", model.base.longitudinal), numbered("V2", model.base.transversal)];
   [history.tip_x, history.tip_y] = centreline (model, model.length, history, 1);
-  columns = num2cell (states, 1);
-  history.psi = cellfun (system.tangent_angle, columns);
-  E = cell2mat (cellfun (@(y) system.energies (y).', columns, "uniformoutput", false));
-  [history.T, history.U, history.Z] = deal (E(1,:), E(2,:), E(3,:));
   history.W = states(end-1,:);
   history.D = states(end,:);
   history.balance = history.T + history.U + history.Z + history.D - history.W;
 endfunction
 
+function names = numbered (name, numbers)
+  names = arrayfun (@(k) sprintf ("%s_%d", name, k), numbers, "uniformoutput", false);
+endfunction
+
 %!test # a rigid rod at rest
 %! scene = check_scene (setfield (paper (), "model", "modes", [0 0]));
-%! model = build_model (scene);
+%! model = build_model (scene, rung_of_scene (scene));
 %! history = measure (system = hinged_rod (scene, model), model, 0, system.initial_state);
 %! assert ([history.tip_x, history.tip_y], [cos(pi/6), -0.5], 1e-12);
 %! assert (history.psi, -pi/6, 1e-12);

@@ -1,25 +1,42 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{summary} =} summarise (@var{name}, @var{scene}, @var{model}, @var{count}, @var{history})
+## @deftypefn {} {@var{summary} =} summarise (@var{name}, @var{scene}, @var{model}, @var{choice}, @var{count}, @var{history})
 ## What a run was and how it went: the struct that summary.json holds.
 ## @end deftypefn
 
-function summary = summarise (name, scene, model, count, history)
+function summary = summarise (name, scene, model, choice, count, history)
   summary.scene = name;
   summary.title = scene.title;
-  summary.modes = model.modes;
-  summary.model_reason = model.reason;
+  summary.model = rung_name (model.rung);
+  summary.modes = mode_numbers (model.rung);
+  summary.axial = model.rung.axial;
+  summary.stiffening = model.rung.stiffening;
+  summary.model_reason = choice.reason;
   summary.energy = scene.model.energy;
   summary.moment_work = scene.model.moment_work;
   summary.rotary_inertia = logical (scene.model.rotary_inertia);
   summary.method = count.method;
   summary.tolerance_m = scene.solver.tolerance;
   summary.estimated_error_m = [];
+  summary.estimated_error_pixels = [];
+  summary.tried = [];
+  summary.seconds = struct ("choice", 0, "integration", count.seconds);
+  if (! isempty (choice.trial))
+    [moved.x, moved.y] = centreline (model, linspace (0, model.length, rows (choice.reference.x)), history, 1);
+    summary.estimated_error_m = distance (moved, choice.reference);
+    summary.estimated_error_pixels = summary.estimated_error_m/(2*tolerance_in_metres (setfield (scene, "solver", "tolerance", "pixel")));
+    summary.tried = rmfield (choice.tried, "rung");
+    summary.seconds.choice = sum ([choice.tried.seconds]);
+  endif
   summary.steps = count.steps;
   summary.rate_calls = count.calls;
   summary.frames = numel (history.t);
-  summary.seconds = struct ("integration", count.seconds);
   summary.largest_energy_error = largest_energy_error (history);
-  summary.warnings = energy_warning (summary.largest_energy_error);
+  summary.warnings = [choice.warnings, energy_warning(summary.largest_energy_error), ...
+                      error_warning(summary), validity_warnings(scene, model, history)];
+endfunction
+
+function modes = mode_numbers (rung)
+  modes = [rung.longitudinal, rung.bending];
 endfunction
 
 ## of the balance T + U + Z + D - W, as a part of the largest energy
@@ -35,12 +52,22 @@ function warnings = energy_warning (relative)
   endif
 endfunction
 
+function warnings = error_warning (summary)
+  warnings = {};
+  if (summary.estimated_error_m > summary.tolerance_m)
+    warnings = {sprintf("the estimated error is %.2g m, the tolerance %.2g m: take a smaller tolerance or another solver", ...
+                        summary.estimated_error_m, summary.tolerance_m)};
+  endif
+endfunction
+
 %!test
 %! result = driver ("paper", "modes", [0 0], "output", "", "tolerance", 1e-9);
 %! assert (result.summary.largest_energy_error < 1e-8);
 %! assert (result.summary.warnings, {});
 %! [scene, model, history] = deal (result.scene, result.model, result.history);
 %! history.balance(7) += 1;
-%! summary = summarise ("paper", scene, model, struct ("method", "", "steps", 0, "calls", 0, "seconds", 0), history);
+%! count = struct ("method", "", "steps", 0, "calls", 0, "seconds", 0);
+%! choice = struct ("trial", [], "reason", "", "warnings", {{}});
+%! summary = summarise ("paper", scene, model, choice, count, history);
 %! assert (numel (summary.warnings), 1);
 %! assert (! isempty (strfind (summary.warnings{1}, "take a smaller tolerance")));

@@ -5,21 +5,17 @@
 
 function write_history (history, file)
   names = {"t [s]", "phi [rad]", "phi_dot [rad/s]", "psi [rad]", "tip_x [m]", "tip_y [m]"};
-  names = [names, numbered("V1", rows (history.V1)), numbered("V2", rows (history.V2)), ...
-           {"T [J]", "U [J]", "Z [J]", "W [J]", "D [J]"}];
+  names = [names, strcat(history.V_names, {" [m]"}), ...
+           {"T [J]", "U [J]", "Z [J]", "W [J]", "D [J]"}, repmat({"torque [N m]"}, 1, rows (history.torque))];
   table = [history.t; history.phi; history.phi_dot; history.psi; history.tip_x; history.tip_y; ...
-           history.V1; history.V2; history.T; history.U; history.Z; history.W; history.D];
+           history.V; history.T; history.U; history.Z; history.W; history.D; history.torque];
   text = [strjoin(names, ","), "\n", sprintf([repmat("%.17g,", 1, rows (table) - 1), "%.17g\n"], table)];
   write_text (file, text);
 endfunction
 
-function names = numbered (name, n)
-  names = arrayfun (@(k) sprintf ("%s_%d [m]", name, k), 1:n, "uniformoutput", false);
-endfunction
-
 %!test
 %! history = struct ("t", [0 0.1], "phi", [1 2], "phi_dot", [3 4], "psi", [5 6], "tip_x", [7 8], "tip_y", [9 10], ...
-%!                   "V1", zeros (0, 2), "V2", [pi 2], "T", [1 2], "U", [3 4], "Z", [5 6], "W", [7 8], "D", [9 10]);
+%!                   "V", [pi 2], "V_names", {{"V2_1"}}, "T", [1 2], "U", [3 4], "Z", [5 6], "W", [7 8], "D", [9 10], "torque", []);
 %! file = tempname ();
 %! unwind_protect
 %!   write_history (history, file);

@@ -22,10 +22,13 @@ endfunction
 
 function report (folder, summary)
   printf ("%s\n", summary.title);
-  printf ("model: %d + %d modes (%s)\n", summary.modes, summary.model_reason);
+  printf ("model: %s (%s)\n", summary.model, summary.model_reason);
+  if (! isempty (summary.estimated_error_m))
+    printf ("estimated error: %.2g m, %.2g pixels\n", summary.estimated_error_m, summary.estimated_error_pixels);
+  endif
   printf ("%s, tolerance %.2g m: %d steps, %d calls, energy balance within %.1g\n", summary.method, summary.tolerance_m, ...
           summary.steps, summary.rate_calls, summary.largest_energy_error);
-  printf ("seconds: %.1f integration, %.1f pictures, %.1f in all\n", summary.seconds.integration, ...
+  printf ("seconds: %.1f choice of the model, %.1f integration, %.1f pictures, %.1f in all\n", summary.seconds.choice, summary.seconds.integration, ...
           summary.seconds.pictures, summary.seconds.total);
   cellfun (@(text) printf ("warning: %s\n", text), summary.warnings);
   printf ("%s/ has history.csv, summary.json, frames/, animation.mp4, animation.gif, figure3.svg, history.svg\n", folder);

@@ -14,7 +14,7 @@
 ## @item hinges
 ## a struct of @code{x}, @code{y} (H-by-F, m); the first is O, where the moment acts;
 ## @item history
-## a struct of the rows t, phi, psi, phi_dot, tip_x, tip_y, T, U, Z, W, D (1-by-F), V1 (N1-by-F), V2 (N2-by-F).
+## a struct of the rows t, phi, psi, phi_dot, tip_x, tip_y, T, U, Z, W, D (1-by-F), of V (N-by-F) and V_names (N names).
 ## @end table
 ##
 ## @var{warnings} is a cell array of texts: what could not be made, and why.

@@ -12,7 +12,7 @@ function panels = history_panels (drawing)
   [along, across] = tip_deflection (drawing);
   panels(end+1) = new_panel ("tip from tangent", [along; across], "m", {"along", "across"});
 
-  [modes, names] = largest_modes (history.V1, history.V2, 4);
+  [modes, names] = largest_modes (history.V, history.V_names, 4);
   if (! isempty (names))
     panels(end+1) = new_panel ("largest modes", modes, "m", names);
   endif
@@ -40,5 +40,6 @@ endfunction
 %! assert (panels(5).values(1), 0);
 %!test # a rigid rod
 %! drawing = sample_drawing (10);
-%! drawing.history.V1 = drawing.history.V2 = zeros (0, 10);
+%! drawing.history.V = zeros (0, 10);
+%! drawing.history.V_names = {};
 %! assert (numel (history_panels (drawing)), 4);

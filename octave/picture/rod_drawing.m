@@ -28,17 +28,18 @@ endfunction
 ## E I v2,11 is the bending moment; its stress is largest at half_height.
 function stress = bending_stress (rod, model, stations, history)
   stress = [];
-  if (! isempty (rod.half_height) && model.modes(2) > 0 && ! isempty (rod.width))
-    [j, xi1] = meshgrid (1:model.modes(2), stations);
-    stress = rod_bending_stress (rod_curvature_transversal (j, xi1, model.length)*history.V2, rod.half_height, ...
+  if (! isempty (rod.half_height) && ! isempty (model.base.transversal) && ! isempty (rod.width))
+    [j, xi1] = meshgrid (model.base.transversal, stations);
+    V2 = history.V(numel (model.base.longitudinal)+1:end,:);
+    stress = rod_bending_stress (rod_curvature_transversal (j, xi1, model.length)*V2, rod.half_height, ...
                                  rod.lambda, rod.mu);
   endif
 endfunction
 
 %!test
 %! scene = check_scene (setfield (paper (), "model", "modes", [0 1]));
-%! model = build_model (scene);
-%! history = struct ("t", [0 1], "phi", [0 0], "V1", zeros (0, 2), "V2", [0, 1e-4]);
+%! model = build_model (scene, rung_of_scene (scene));
+%! history = struct ("t", [0 1], "phi", [0 0], "V", [0, 1e-4]);
 %! drawing = rod_drawing (scene, model, history);
 %! E = 8.1e10*(3*1.2e11 + 2*8.1e10)/(1.2e11 + 8.1e10);
 %! assert (max (drawing.bodies.stress(:,2)), E*pi^2*1e-4*0.015, 1);

@@ -19,7 +19,8 @@ function drawing = sample_drawing (frames)
   Z = 23 * sin (phi);
   drawing.history = struct ("t", t, "phi", phi, "psi", phi + pi*wave, "phi_dot", 4*pi*t/1.8^2, ...
                             "tip_x", cos (phi), "tip_y", sin (phi), "T", T, "U", 1e6 * wave.^2, "Z", Z, ...
-                            "W", T + Z - Z(1), "D", 0*t, "V1", 1e-7 * [cos(9*t); sin(9*t)], "V2", [wave; wave.^2]);
+                            "W", T + Z - Z(1), "D", 0*t, "V", [1e-7 * [cos(9*t); sin(9*t)]; wave; wave.^2], ...
+                            "torque", [], "V_names", {{"V1_1", "V1_2", "V2_1", "V2_2"}});
 endfunction
 
 function body = turned_rod (s, v, phi)

@@ -18,9 +18,7 @@ function scene = paper ()
   scene.initial.phi = -pi/6;
   scene.duration = 1.8;
   scene.zoom = 300;
-  scene.model.modes = [7 7];
   scene.solver.name = "ode45";
-  scene.solver.tolerance = 1e-8;  # stability, not accuracy, sets ode45's steps at 7 + 7 modes: precision costs nothing
 endfunction
 
 %!test # the moment stops at 0.3 s

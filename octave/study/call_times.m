@@ -6,7 +6,8 @@
 
 function seconds = call_times ()
   scene = check_scene (paper ());
-  rod = hinged_rod (scene, build_model (scene));
+  scene.model.modes = [7 7];
+  rod = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
   y = rod.initial_state + 1e-4;
   general = @() rod.rate (0.1, y, [0 0.3]);
   literal = @() literal_rod_rate (0.1, y, scene, [7 7]);

@@ -4,7 +4,8 @@
 ## @end deftypefn
 
 function omega = linear_frequencies (scene)
-  model = build_model (check_scene (scene));
+  scene = check_scene (scene);
+  model = build_model (scene, rung_of_scene (scene));
   a = model.arrays;
   mass = [a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia];
   stiffness = blkdiag (a.stiffness_matrix, 0);

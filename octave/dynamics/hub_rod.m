@@ -1,0 +1,46 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{system} =} hub_rod (@var{scene}, @var{model})
+## The rod clamped in a hub that is turned by scene.rotation, as a system of first order with the state
+## y = (V; V_dot; W; D); fields as in @code{hinged_rod}.  W is the work of the hub and of the other loads.
+## @end deftypefn
+
+function system = hub_rod (scene, model)
+  n = columns (model.basis);
+  constants = rod_constants (scene, model);
+  constants.rotation = scene.rotation;
+  constants.slopes = {model.arrays.slope_1, model.arrays.slope_2};
+  a = model.arrays;
+
+  P = [eye(n); -a.slope_2.'];
+  system.mass = P.'*[a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia]*P;
+  system.stiffness = a.stiffness_matrix;
+  system.stiffness_at = @(t, y) P.'*turning_stiffness (scene.rotation (t)(1), scene.rotation (t)(2), constants)*P;
+  system.velocity_matrix = eye (n);
+  start = initial_coordinates (scene.initial, model, -a.slope_2);
+  system.initial_state = [start(1:n,1); start(1:n,2); 0; 0];
+  system.rate = @(t, y, interval) hub_rod_rate (t, y, interval, n, constants);
+  system.motion = @(times, states) motion (times, states, n, constants);
+  system.energies = @(phi, phi_dot, q, q_dot) rod_energies_of (phi, phi_dot, q, q_dot, constants);
+  system.turned = isempty (model.rung.sines);
+  system.duration = scene.duration;
+  system.gravity = scene.gravity;
+  system.breaks = scene.moment_breaks;
+  system.state_scale = state_scale (model, scene, ones (n, 1));
+endfunction
+
+function found = motion (times, states, n, c)
+  [found.q, found.q_dot] = deal (states(1:n,:), states(n+1:2*n,:));
+  for k = 1:numel (times)
+    theta = c.rotation (times(k));
+    [found.phi(k), found.phi_dot(k)] = rod_in_hub (theta(1), theta(2), found.q(:,k), found.q_dot(:,k), c.slopes{:});
+    [~, found.torque(k)] = hub_rod_rate (times(k), states(:,k), times(k)*[1 1], n, c);
+  endfor
+endfunction
+
+%!test # the tangent at O has the hub's angle
+%! scene = check_scene (setfield (spin_up (), "duration", 2));
+%! scene.model.modes = [0 3];
+%! history = driver (scene, "output", "").history;
+%! theta = cell2mat (arrayfun (@(t) scene.rotation (t).', history.t, "uniformoutput", false));
+%! assert (history.psi, theta(1,:), 1e-12);
+%! assert (numel (history.torque), numel (history.t));

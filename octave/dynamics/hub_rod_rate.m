@@ -1,0 +1,31 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{y_dot}, @var{torque}] =} hub_rod_rate (@var{t}, @var{y}, @var{interval}, @var{n}, @var{c})
+## Rate of the state of @code{hub_rod}, and the torque of the hub (N m): the multiplier of the constraint that the
+## tangent at O has the hub's angle.  The rotation phi of the rod's frame follows from it.
+##
+## Loads are taken at a time within @var{interval} = [start, end] (s), which has no jump in it.
+## @end deftypefn
+
+function [y_dot, torque] = hub_rod_rate (t, y, interval, n, c)
+  t = min (max (t, interval(1)), interval(2));
+  V = y(1:n);
+  V_dot = y(n+1:2*n);
+  theta = c.rotation (t);
+  [phi, phi_dot, gradient, acceleration] = rod_in_hub (theta(1), theta(2), V, V_dot, c.slopes{:});
+  [mass_V_phi, mass_phi_phi, force_V, force_phi, power, dissipated] = rod_forces (t, phi, phi_dot, V, V_dot, c);
+
+  solution = [c.mass_matrix, mass_V_phi, -gradient
+              mass_V_phi.', mass_phi_phi, -1
+              gradient.', 1, 0] \ [force_V; force_phi; theta(3) - acceleration];
+  torque = solution(end);
+  y_dot = [V_dot; solution(1:n); power + torque*theta(2); dissipated];
+endfunction
+
+%!test # a rigid rod: the torque turns its moment of inertia and carries its weight
+%! scene = setfield (spin_up (), "gravity", 9.81); scene.rotation = @(t) [t^2, 2*t, 2]; scene.model.modes = [0 0];
+%! scene = check_scene (scene);
+%! model = build_model (scene, rung_of_scene (scene));
+%! system = hub_rod (scene, model);
+%! [y_dot, torque] = system.rate (0.5, [0; 0], [0 1]);
+%! assert (torque, 2*model.arrays.moment_of_inertia + 1.2*9.81*50*cos (0.25), 1e-9);
+%! assert (y_dot(1), torque*1, 1e-9);

@@ -1,0 +1,23 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{K} =} turning_stiffness (@var{phi}, @var{phi_dot}, @var{c})
+## The stiffness matrix, (n+1)-by-(n+1) in (V, phi), of the rod as it turns, by @code{rod_tangent_stiffness}; @var{c} comes
+## from @code{rod_constants}.
+## @end deftypefn
+
+function K = turning_stiffness (phi, phi_dot, c)
+  [VV, V_phi, phi_phi] = rod_tangent_stiffness (phi, phi_dot, c.stiffness_arguments{:});
+  K = [VV, V_phi; V_phi.', phi_phi];
+endfunction
+
+%!test # minus the derivatives of the forces at V = 0
+%! scene = check_scene (setfield (setfield (paper (), "model", "modes", [1 2]), "model", "stiffening", "foreshortening"));
+%! scene.rod.half_height = 0.1; scene.moment = @(t) 0;
+%! c = rod_constants (scene, build_model (scene, rung_of_scene (scene)));
+%! force = @(x) nthargout (3:4, @rod_forces, 0, x(4), 5, x(1:3), zeros (3, 1), c);
+%! K = turning_stiffness (0.3, 5, c);
+%! for k = 1:4
+%!   e = 1e-5*((1:4).' == k);
+%!   [above, below] = deal (force ([0; 0; 0; 0.3] + e), force ([0; 0; 0; 0.3] - e));
+%!   column = ([below{1}; below{2}] - [above{1}; above{2}])/2e-5;
+%!   assert (column, K(:,k), 1e-8*norm (K(:,k)) + 1e-5);
+%! endfor

@@ -1,0 +1,33 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{modal} =} modal_form (@var{system}, @var{stiffness})
+## A system (see @code{hinged_rod}) in the modal coordinates of its mass and a @var{stiffness} matrix: x = X*eta, where
+## eta_ddot = -omega^2 eta + what is left.  A state of the form is z = (eta; eta_dot; w), w what follows the rates in y.
+##
+## Fields: omega (n-by-1, rad/s), n, X (n-by-n), state (z) = y, form (y) = z, and remainder (t, z), the rate of z without
+## the free oscillation (eta_dot; -omega^2 eta; 0), which is the stiff part of the system.  A direction that the stiffness
+## does not hold has omega = 0.
+## @end deftypefn
+
+function modal = modal_form (system, stiffness)
+  n = rows (system.mass);
+  [X, squares] = eig (stiffness, system.mass);
+  squares = max (diag (squares), 0);
+  transform = blkdiag (X, system.velocity_matrix*X, eye (numel (system.initial_state) - 2*n));
+  inverse = inv (transform);
+  oscillation = zeros (rows (transform));
+  oscillation(1:n,n+1:2*n) = eye (n);
+  oscillation(n+1:2*n,1:n) = -diag (squares);
+  modal = struct ("n", n, "omega", sqrt (squares), "X", X);
+  modal.state = @(z) transform*z;
+  modal.form = @(y) inverse*y;
+  modal.remainder = @(t, z) inverse*system.rate (t, transform*z) - oscillation*z;
+endfunction
+
+%!test # of a linear system nothing is left
+%! system = struct ("mass", [2 1; 1 3], "stiffness", [5 0; 0 0], "velocity_matrix", [1 0; 1 3], "initial_state", zeros (5, 1));
+%! system.rate = @(t, y) [[1 0; 1 3]\y(3:4); -[1 0; 1 3]*([2 1; 1 3]\([5 0; 0 0]*y(1:2))); 1];
+%! modal = modal_form (system, system.stiffness);
+%! y = [0.1; 0.2; 0.3; 0.4; 0.5];
+%! assert (modal.state (modal.form (y)), y, 1e-14);
+%! assert (modal.remainder (0, modal.form (y)), [0; 0; 0; 0; 1], 1e-14);
+%! assert (modal.omega(1), 0, 1e-7);

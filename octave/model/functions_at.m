@@ -1,0 +1,22 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{longitudinal}, @var{transversal}] =} functions_at (@var{base}, @var{stations}, @var{derivative})
+## Values of all base functions, p-by-n each, at the @var{stations} (p numbers, m), so that v1 = longitudinal*V and
+## v2 = transversal*V, or their first derivatives (1/m) with @var{derivative} = 1.
+## @end deftypefn
+
+function [longitudinal, transversal] = functions_at (base, stations, derivative = 0)
+  functions = {@rod_shape_longitudinal, @rod_shape_transversal; @rod_slope_longitudinal, @rod_slope_transversal};
+  [along, across] = functions{derivative + 1,:};
+  [j1, xi1] = meshgrid (base.longitudinal, stations);
+  [j2, xi2] = meshgrid (base.transversal, stations);
+  longitudinal = [along(j1, xi1, base.length), zeros(size (j2))];
+  transversal = [zeros(size (j1)), across(j2, xi2, base.length)];
+endfunction
+
+%!test # a quarter wave along, two half waves and a polynomial across
+%! [along, across] = functions_at (base_functions (1, [2 -1], 2), [0; 1; 2]);
+%! assert (along, [0 0 0; sin(pi/4) 0 0; 1 0 0], 1e-15);
+%! assert (across, [0 0 0; 0 0 3/8; 0 0 0], 1e-15);
+%! [along, across] = functions_at (base_functions (1, [2 -1], 2), 0, 1);
+%! assert (along, [pi/4 0 0], 1e-15);
+%! assert (across, [0 pi 1], 1e-15);

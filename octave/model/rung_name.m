@@ -1,0 +1,27 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{name} =} rung_name (@var{rung})
+## A rung of the ladder in words: "3 bending + 2 longitudinal modes, foreshortening", "7 + 7 sines", "rigid".
+## @end deftypefn
+
+function name = rung_name (rung)
+  if (! isempty (rung.sines) && any (rung.sines))
+    name = sprintf ("%d + %d sines", rung.sines);
+  elseif (rung.bending == 0 && strcmp (rung.axial, "none"))
+    name = "rigid";
+  elseif (strcmp (rung.axial, "dynamic"))
+    name = sprintf ("%d bending + %d longitudinal modes", rung.bending, rung.longitudinal);
+  else
+    name = sprintf ("%d bending mode%s", rung.bending, repmat ("s", 1, rung.bending != 1));
+  endif
+  if (strcmp (rung.axial, "quasistatic"))
+    name = [name ", quasi-static longitudinal ones"];
+  endif
+  if (strcmp (rung.stiffening, "foreshortening"))
+    name = [name ", foreshortening"];
+  endif
+endfunction
+
+%!assert (rung_name (struct ("sines", [7 7], "axial", "dynamic", "stiffening", "none")), "7 + 7 sines")
+%!assert (rung_name (struct ("sines", [], "bending", 0, "longitudinal", 0, "axial", "none", "stiffening", "none")), "rigid")
+%!assert (rung_name (struct ("sines", [], "bending", 1, "longitudinal", 0, "axial", "quasistatic", "stiffening", "foreshortening")),
+%!        "1 bending mode, quasi-static longitudinal ones, foreshortening")

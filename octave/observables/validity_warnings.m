@@ -1,0 +1,67 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{warnings} =} validity_warnings (@var{scene}, @var{model}, @var{history})
+## Where a run leaves what its model holds for: a cellstr of warnings with numbers and remedies.  Looked at are the slope
+## v2,1 and the strain, the rate of rotation against the first frequency of the simply supported rod, the times of the
+## loads' changes against the highest mode, and the drawn slope at the scene's zoom.
+## @end deftypefn
+
+function warnings = validity_warnings (scene, model, history)
+  warnings = [slope_warnings(scene, model, history), spin_warning(scene, model, max (abs (history.phi_dot))), ...
+              spectrum_warning(scene, model)];
+endfunction
+
+function warnings = slope_warnings (scene, model, history)
+  warnings = {};
+  [along, across] = functions_at (model.base, linspace (0, model.length, 101).', 1);
+  slope = max ([0; abs(across*history.V)(:)]);
+  if (slope > 0.2)
+    warnings{end+1} = sprintf (["the slope v2,1 reaches %.2g, the theory holds for small ones: errors of its square are" ...
+                                " %.1g; take a stiffer rod or smaller loads"], slope, slope^2/2);
+  endif
+  strain = max ([0; abs(along*history.V)(:)]);
+  if (strain > 0.01)
+    warnings{end+1} = sprintf ("the strain v1,1 reaches %.2g, linear elasticity holds for small ones: take smaller loads", strain);
+  endif
+  if (scene.zoom*slope > 3)
+    warnings{end+1} = sprintf (["the drawn slope reaches %.3g at zoom %g, so that the drawn rod may cross itself: take a" ...
+                                " zoom of %.2g"], scene.zoom*slope, scene.zoom, 3/slope);
+  endif
+endfunction
+
+function warnings = spin_warning (scene, model, phi_dot)
+  warnings = {};
+  omega_1 = simply_supported_frequency (scene, model);
+  if (! model.shortening && ! strcmp (rung_name (model.rung), "rigid") && phi_dot > 0.3*omega_1)
+    warnings = {sprintf(["phi_dot reaches %.3g rad/s, the simply supported rod's first frequency is %.3g rad/s: without" ...
+                         " foreshortening the rod loses its stiffness there; take model.stiffening = \"foreshortening\""], ...
+                        phi_dot, omega_1)};
+  endif
+endfunction
+
+## changes of the moment faster than the highest bending mode's period: where a quarter of it sees less than the change
+function warnings = spectrum_warning (scene, model)
+  warnings = {};
+  breaks = unique ([0, scene.moment_breaks(:).']);
+  a = model.arrays;
+  if (isempty (scene.moment_breaks) || rows (a.mass_matrix) == 0 || isempty (model.rung.sines))
+    return;
+  endif
+  highest = sqrt (max (diag (a.stiffness_matrix)./diag (a.mass_matrix)));
+  shortest = min (diff (breaks));
+  if (2*pi/shortest > highest)
+    warnings = {sprintf(["a load changes within %.2g s, its spectrum reaches %.3g rad/s, beyond the highest mode at %.3g" ...
+                         " rad/s: take more modes, or model.modes = \"auto\""], shortest, 2*pi/shortest, highest)};
+  endif
+endfunction
+
+%!function warnings = of_paper (zoom, V, phi_dot)
+%!  scene = check_scene (setfield (setfield (paper (), "model", "modes", [0 1]), "zoom", zoom));
+%!  model = build_model (scene, rung_of_scene (scene));
+%!  warnings = validity_warnings (scene, model, struct ("V", V, "phi_dot", phi_dot));
+%!endfunction
+%!assert (of_paper (300, 1e-4, 1), {})
+%!test
+%! warnings = of_paper (300, 0.1, 400);
+%! assert (regexp (warnings{1}, "slope v2,1 reaches 0.31, .* 0.05;"), 5);
+%! assert (! isempty (regexp (warnings{2}, "at zoom 300, .* take a zoom of 9.5")));
+%! assert (! isempty (regexp (warnings{3}, "phi_dot reaches 400 rad/s, .* 51\\d rad/s: .*foreshortening")));
