@@ -9,14 +9,16 @@ VERSION = 1.0
 export SCENE MODES SOLVER TOLERANCE OUTPUT OCTAVE
 run_octave = $(OCTAVE) --no-gui --no-history --quiet
 
-.PHONY: help setup derive equations simulate check fuzz clean dist
+.PHONY: help setup derive equations simulate models choices check fuzz clean dist
 
 help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
 	@echo 'make simulate    simulate and draw SCENE=paper (or a file) [MODES="7 7" SOLVER=ode45 TOLERANCE=1e-6 OUTPUT=folder]'
+	@echo 'make models      the ladder of models of SCENE=paper, error against seconds: table and chart'
 	@echo 'make derive      derive all equations and translate them into generated/ [MODES="7 7" of the literal form]'
 	@echo 'make equations   write the derived energies and equations of motion as output/equations.tex [MODES="2 2"]'
 	@echo 'make check       run all tests'
+	@echo 'make choices     all scenes and 20 random ones: the chosen models against 30 + 30 modes'
 	@echo 'make fuzz        more of the random round trip [N=10000 SEED=1]'
 	@echo 'make dist        an archive of the sources'
 	@echo 'make clean       remove what runs have written'
@@ -31,7 +33,13 @@ equations:
 	@maxima/write_equations "$(or $(OUTPUT),output)" "$(or $(MODES),2 2)"
 
 simulate:
-	@$(run_octave) --eval 'source octave/toolchain_path.m; run_scene'
+	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @driver; run_command'
+
+models:
+	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @model_ladder; run_command'
+
+choices:
+	@$(run_octave) --eval 'source octave/toolchain_path.m; verify_choices (shipped_and_random (20))'
 
 check:
 	@tests/check

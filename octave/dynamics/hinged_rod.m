@@ -6,7 +6,7 @@
 ##
 ## Fields: initial_state, rate, motion (times, states) = a struct of q, q_dot (n-by-m), phi, phi_dot (1-by-m) and torque
 ## (of a hub, else empty), energies (phi, phi_dot, q, q_dot) = [T U Z], mass and stiffness (of the coordinates, linear
-## about the undeformed rod), stiffness_at (t, y) (of the rod as it turns), velocity_matrix (the second part of y per rates of the coordinates, likewise), turned (see
+## about the undeformed rod), stiffness_at (t, y) (of the rod as it turns), damping_matrix (where there is damping), velocity_matrix (the second part of y per rates of the coordinates, likewise), turned (see
 ## @code{integrate_ode45}: the paper's sines are integrated as they are), breaks (times in s at which a load jumps) and state_scale, what each state may be off by
 ## where a centreline point is off by 1 m.
 ## @end deftypefn
@@ -17,6 +17,9 @@ function system = hinged_rod (scene, model)
   a = model.arrays;
   system.mass = [a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia];
   system.stiffness = blkdiag (a.stiffness_matrix, 0);
+  if (scene.rod.damping > 0)
+    system.damping_matrix = scene.rod.damping*system.stiffness;
+  endif
   system.stiffness_at = @(t, y) turning_stiffness (y(n+1), y(2*n+2)/a.moment_of_inertia, constants);
   system.velocity_matrix = [eye(n, n + 1); system.mass(end,:)];
   system.initial_state = initial_state (scene.initial, model, constants);
@@ -34,6 +37,7 @@ function y = initial_state (initial, model, c)
   n = columns (model.basis);
   start = initial_coordinates (initial, model, []);
   start(n+1,:) += [initial.phi, initial.phi_dot];
+  c.energy_arguments(13:15) = 0;  # followers take their places at once, and the angular momentum stays
   [~, p] = rod_energies_of (start(n+1,1), start(n+1,2), start(1:n,1), start(1:n,2), c);
   y = [start(:,1); start(1:n,2); p; 0; 0];
 endfunction

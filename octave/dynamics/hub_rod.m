@@ -14,6 +14,9 @@ function system = hub_rod (scene, model)
   P = [eye(n); -a.slope_2.'];
   system.mass = P.'*[a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia]*P;
   system.stiffness = a.stiffness_matrix;
+  if (scene.rod.damping > 0)
+    system.damping_matrix = scene.rod.damping*system.stiffness;
+  endif
   system.stiffness_at = @(t, y) P.'*turning_stiffness (scene.rotation (t)(1), scene.rotation (t)(2), constants)*P;
   system.velocity_matrix = eye (n);
   start = initial_coordinates (scene.initial, model, -a.slope_2);

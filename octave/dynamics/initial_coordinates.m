@@ -8,8 +8,9 @@
 
 function start = initial_coordinates (initial, model, phi_of_V)
   [N1, N2] = deal (numel (model.base.longitudinal), sum (model.base.transversal > 0));
-  given = [padded(initial.V1, N1, "V1"), padded(initial.V1_dot, N1, "V1_dot")
-           padded(initial.V2, N2, "V2"), padded(initial.V2_dot, N2, "V2_dot")
+  most = {[N1 N2], [30 30]}{1 + isempty(model.rung.sines)};  # eigenmodes take what they can of 30 sines
+  given = [padded(initial.V1, N1, most(1), "V1"), padded(initial.V1_dot, N1, most(1), "V1_dot")
+           padded(initial.V2, N2, most(2), "V2"), padded(initial.V2_dot, N2, most(2), "V2_dot")
            zeros(numel (model.base.transversal) - N2 + 1, 2)];
   n = columns (model.basis);
   if (! any (given(:)))
@@ -25,9 +26,9 @@ function start = initial_coordinates (initial, model, phi_of_V)
   start = [(P.'*mass*P) \ (P.'*mass*given); zeros(! isempty (phi_of_V), 2)];
 endfunction
 
-function amplitudes = padded (given, n, name)
-  if (numel (given) > n && any (given(n+1:end)))
-    scene_error ("initial.%s has %d amplitudes: the model has %d such modes", name, numel (given), n);
+function amplitudes = padded (given, n, most, name)
+  if (numel (given) > most && any (given(most+1:end)))
+    scene_error ("initial.%s has %d amplitudes: the model has %d such modes", name, numel (given), most);
   endif
   amplitudes = [given(1:min (n, end))(:); zeros(n - numel (given), 1)];
 endfunction

@@ -26,7 +26,7 @@ function [states, steps] = integrate_exponential (system, rate, times, y, tolera
       endif
       m = ceil ((times(k) - t)/h*(1 - 1e-9));
       if (abs ((times(k) - t)/m/step.h - 1) > 1e-9)
-        step = exponential_step (modal.omega, (times(k) - t)/m, numel (y) - 2*n);
+        step = exponential_step (modal.omega, modal.damping, (times(k) - t)/m, numel (y) - 2*n);
       endif
       [new_z, new_remainder, defect, new_curvature] = take_step (modal.remainder, t, z, remainder, step, curvature);
       steps++;

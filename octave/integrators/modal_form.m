@@ -3,21 +3,25 @@
 ## A system (see @code{hinged_rod}) in the modal coordinates of its mass and a @var{stiffness} matrix: x = X*eta, where
 ## eta_ddot = -omega^2 eta + what is left.  A state of the form is z = (eta; eta_dot; w), w what follows the rates in y.
 ##
-## Fields: omega (n-by-1, rad/s), n, X (n-by-n), state (z) = y, form (y) = z, and remainder (t, z), the rate of z without
-## the free oscillation (eta_dot; -omega^2 eta; 0), which is the stiff part of the system.  A direction that the stiffness
+## Fields: omega, damping (n-by-1, 1/s: of system.damping_matrix, if there is one), n, X (n-by-n), state (z) = y, form (y) = z, and remainder (t, z), the rate of z without
+## the free oscillation (eta_dot; -omega^2 eta - damping eta_dot; 0), which is the stiff part of the system.  A direction that the stiffness
 ## does not hold has omega = 0.
 ## @end deftypefn
 
 function modal = modal_form (system, stiffness)
   n = rows (system.mass);
   [X, squares] = eig (stiffness, system.mass);
-  squares = max (diag (squares), 0);
+  squares = reshape (max (diag (squares), 0), n, 1);
+  damping = zeros (n, 1);
+  if (isfield (system, "damping_matrix"))
+    damping = diag (X \ (system.mass \ (system.damping_matrix*X)));
+  endif
   transform = blkdiag (X, system.velocity_matrix*X, eye (numel (system.initial_state) - 2*n));
   inverse = inv (transform);
   oscillation = zeros (rows (transform));
   oscillation(1:n,n+1:2*n) = eye (n);
-  oscillation(n+1:2*n,1:n) = -diag (squares);
-  modal = struct ("n", n, "omega", sqrt (squares), "X", X);
+  oscillation(n+1:2*n,1:2*n) = [-diag(squares), -diag(damping)];
+  modal = struct ("n", n, "omega", sqrt (squares), "damping", damping, "X", X);
   modal.state = @(z) transform*z;
   modal.form = @(y) inverse*y;
   modal.remainder = @(t, z) inverse*system.rate (t, transform*z) - oscillation*z;

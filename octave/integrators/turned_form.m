@@ -11,11 +11,14 @@
 
 function turned = turned_form (system, rate, start, y)
   system.rate = rate;
+  if (isfield (system, "damping_matrix"))
+    system = rmfield (system, "damping_matrix");  # it cannot be turned back
+  endif
   modal = modal_form (system, system.stiffness_at (start, y));
   n = modal.n;
   turned.start = modal.form (y);
   constant = modal.remainder (start, turned.start);
-  flow = @(tau) exponential_step (modal.omega, tau, numel (y) - 2*n).whole;
+  flow = @(tau) exponential_step (modal.omega, modal.damping, tau, numel (y) - 2*n).whole;
   swap = [n+1:2*n, 1:n, 2*n+1:numel(y)];
   turned.state = @(t, u) modal.state (led (flow (t - start), u, constant, swap));
   turned.rate = @(t, u) turned_rate (t, u, start, modal.omega, n, modal.remainder, constant);

@@ -16,7 +16,7 @@ function scene = check_scene (given)
   for field = fields.'
     [name, value, kind] = field{:};
     path = strsplit (name, ".");
-    if (has_field (given, path) && ! (isequal (value, []) && isempty (getfield (given, path{:}))))
+    if (has_field (given, path) && ! (isequal (value, []) && isequal (getfield (given, path{:}), [])))
       value = getfield (given, path{:});
       got = value_error (kind, value);
       if (! isempty (got))

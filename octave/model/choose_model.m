@@ -1,9 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{choice} =} choose_model (@var{scene})
 ## The smallest rung of the ladder whose centreline is within the scene's tolerance in every frame, for model.modes =
-## "auto".  @code{predict_rung} guesses it from the loads; a richer rung is the reference, whose motion says how many bending modes
+## "auto".  @code{predict_rung} guesses it from the loads; a richer rung is the reference, whose motion says how many modes
 ## are needed.  A rung holds if it differs from the reference by at most three quarters of the tolerance; where none does,
-## the reference is the next guess.  From the one that holds, smaller ones are tried for as long as they hold too.
+## the reference is the next guess.  From the one that holds, smaller ones are tried for as long as they hold too:
+## of the longitudinal modes, of the bending modes, and without foreshortening.
 ##
 ## @var{choice}: trial (the chosen one, see @code{trial_run}), reference (the richer one), error (their distance, m), reason
 ## (a sentence), tried (a struct array of rung, name, error_m, seconds, calls), warnings (cellstr).
@@ -16,32 +17,34 @@ function choice = choose_model (scene)
   do
     richer = richer_rung (rung, scene);
     reference = trial_run (scene, richer);
-    rung.bending = min (rung.bending, bending_needed (reference, limit));
+    rung = needed_of (reference, limit);
     trial = trial_run (scene, rung);
     tried = [tried, {reference, trial}];
-    metres = distance (trial, reference);
-    while (metres > limit && rung.bending < richer.bending && isfinite (metres))
+    while (distance (trial, reference) > limit && rung.bending < richer.bending && isempty (reference.error))
       rung.bending++;
       tried{end+1} = trial = trial_run (scene, rung);
-      metres = distance (trial, reference);
     endwhile
-    verified = metres <= limit && rung.bending <= 0.8*richer.bending + 1;
+    verified = distance (trial, reference) <= limit && rung.bending <= 0.8*richer.bending + 1 ...
+               && rung.longitudinal <= 0.8*richer.longitudinal + 1;
     largest = isequal (richer_rung (richer, scene), richer);
     rung = richer;
   until (verified || largest)
 
-  do
-    held = false;
-    for smaller = smaller_rungs (trial.rung, scene)
-      if (! held && ! any (cellfun (@(t) isequal (t.rung, smaller{1}), tried)))
-        tried{end+1} = trial_run (scene, smaller{1});
-        held = distance (tried{end}, reference) <= limit;
-        if (held)
-          trial = tried{end};
-        endif
+  for part = {"axial", "bending", "stiffening"}
+    do
+      smaller = smaller_rung (trial.rung, part{1}, scene);
+      held = false;
+      known = find (cellfun (@(t) isequal (t.rung, smaller), tried), 1);
+      if (isempty (known))
+        tried{end+1} = trial_run (scene, smaller);
+        known = numel (tried);
       endif
-    endfor
-  until (! held)
+      held = ! isequal (smaller, trial.rung) && distance (tried{known}, reference) <= limit;
+      if (held)
+        trial = tried{known};
+      endif
+    until (! held)
+  endfor
 
   choice = struct ("trial", trial, "reference", reference, "error", distance (trial, reference), "reason", why, "warnings", {{}});
   choice.tried = cellfun (@(t) struct ("rung", t.rung, "name", rung_name (t.rung), "error_m", distance (t, reference), ...
@@ -50,19 +53,29 @@ function choice = choose_model (scene)
     scene_error ("%s", reference.error);
   elseif (! verified)
     choice.warnings = {sprintf(["the largest model, %s, is not shown to be within the tolerance of %.2g m (estimate %.2g m):" ...
-                                " take a larger tolerance, or smoother loads"], rung_name (trial.rung), ...
+                                " take a larger tolerance, or smoother loads"], rung_name (reference.rung), ...
                                scene.solver.tolerance, choice.error)};
   endif
 endfunction
 
-## as many bending modes of the richer model as are needed where the others are left out of its motion
-function n = bending_needed (reference, limit)
-  n = reference.rung.bending;
-  [~, across] = functions_at (reference.model.base, linspace (0, reference.model.length, 21).');
-  first = columns (reference.model.basis) - n;
+## as many modes of the richer model as are needed where the others are left out of its motion
+function rung = needed_of (reference, limit)
+  rung = reference.rung;
+  if (isempty (reference.error))
+    [along, across] = functions_at (reference.model.base, linspace (0, reference.model.length, 21).');
+    n1 = columns (reference.model.basis) - rung.bending;
+    rung.longitudinal = count_needed (along, reference, 0, n1, limit);
+    rung.bending = count_needed (across, reference, n1, rung.bending, limit);
+    if (strcmp (rung.axial, "dynamic"))
+      rung.longitudinal = max (rung.longitudinal, 1);
+    endif
+  endif
+endfunction
+
+function n = count_needed (functions, reference, first, n, limit)
   left_out = 0;
-  while (n > 0 && isempty (reference.error))
-    left_out += across*reference.model.basis(:,first+n)*reference.history.q(first+n,:);
+  while (n > 0)
+    left_out += functions*reference.model.basis(:,first+n)*reference.history.q(first+n,:);
     if (max (abs (left_out)(:)) > limit)
       break;
     endif

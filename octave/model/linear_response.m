@@ -33,7 +33,7 @@ function [response, phi_dot] = linear_response (scene, model, rigid)
     loads(:,k) = (P.'*[force_V - m*phi_ddot; force_phi - mm*phi_ddot])./mass;
   endfor
   start = initial_coordinates (scene.initial, model, {relation, []}{1 + isempty(scene.rotation)});
-  eta = oscillations (omega, times, loads, [start(1:n,1); start(1:n,2)]);
+  eta = oscillations (omega, scene.rod.damping*omega.^2, times, loads, [start(1:n,1); start(1:n,2)]);
   [along, across] = functions_at (model.base, linspace (0, model.length, 41).');
   lever = linspace (0, model.length, 41).'*relation.';
   size_of = max (abs ([along*model.basis; across*model.basis + lever]), [], 1).';
@@ -60,8 +60,8 @@ function [phi, phi_dot] = rigid_motion (scene, model, times)
   [phi, phi_dot] = deal (motion.phi, motion.phi_dot);
 endfunction
 
-## eta_ddot + omega^2 eta = load, which is linear in time between the times
-function eta = oscillations (omega, times, loads, z)
+## eta_ddot + damping eta_dot + omega^2 eta = load, which is linear in time between the times
+function eta = oscillations (omega, damping, times, loads, z)
   n = numel (omega);
   eta = zeros (n, numel (times));
   eta(:,1) = z(1:n);
@@ -69,7 +69,7 @@ function eta = oscillations (omega, times, loads, z)
   for k = 2:numel (times)
     h = times(k) - times(k-1);
     if (h > 0 && abs (h - step.h) > 1e-9*h)
-      step = exponential_step (omega, h, 0);
+      step = exponential_step (omega, damping, h, 0);
     endif
     if (h == 0)
       eta(:,k) = z(1:n);
