@@ -26,6 +26,7 @@ function result = driver (scene = "paper", varargin)
 
   [model, choice] = model_of_scene (scene);
   announce (choice);
+  cellfun (@(text) printf ("warning: %s\n", text), spin_warning (scene, model));
   [history, count] = run_model (scene, model, choice);
   summary = summarise (name, scene, model, choice, count, history);
 

@@ -28,16 +28,6 @@ function warnings = slope_warnings (scene, model, history)
   endif
 endfunction
 
-function warnings = spin_warning (scene, model, phi_dot)
-  warnings = {};
-  omega_1 = simply_supported_frequency (scene, model);
-  if (! model.shortening && ! strcmp (rung_name (model.rung), "rigid") && phi_dot > 0.3*omega_1)
-    warnings = {sprintf(["phi_dot reaches %.3g rad/s, the simply supported rod's first frequency is %.3g rad/s: without" ...
-                         " foreshortening the rod loses its stiffness there; take model.stiffening = \"foreshortening\""], ...
-                        phi_dot, omega_1)};
-  endif
-endfunction
-
 ## changes of the moment faster than the highest bending mode's period: where a quarter of it sees less than the change
 function warnings = spectrum_warning (scene, model)
   warnings = {};

@@ -12,10 +12,11 @@ function warnings = make_film (frames_per_second, folder)
     return;
   endif
   source = sprintf ("ffmpeg -nostdin -loglevel error -y -framerate %.9g -i frames/frame_%%04d.png", frames_per_second);
-  run_tool (folder, "ffmpeg", [source " -c:v libx264 -pix_fmt yuv420p -crf 18 -movflags +faststart animation.mp4"]);
+  film = [source " -c:v libx264 -preset veryfast -pix_fmt yuv420p -crf 18 -movflags +faststart animation.mp4"];
   ## Browsers slow a gif of more than 50 frames a second down.
   filter = sprintf ("fps=%.9g, split [a][b]; [a] palettegen [p]; [b][p] paletteuse", min (frames_per_second, 50));
-  run_tool (folder, "ffmpeg", [source " -filter_complex '" filter "' animation.gif"]);
+  gif = [source " -filter_complex '" filter "' animation.gif"];
+  run_tool (folder, "ffmpeg", ["{ " gif " & } ; " film " ; made=$? ; wait $! && (exit $made)"]);
 endfunction
 
 %!test # without ffmpeg

@@ -4,7 +4,7 @@
 ## modes with foreshortening.  Arguments as for @code{driver}.
 ##
 ## Leaves models.csv, models.svg and models.png in the folder of the scene's output.  @var{table} is a struct array of
-## model, method, error_m, seconds, calls, chosen and extrapolated.  The rungs are integrated by `exponential', the chosen
+## model, method, error_m, seconds, calls, label (in the chart), stiffening, chosen and extrapolated.  The rungs are integrated by `exponential', the chosen
 ## one by `ode45' too, and so are the paper's 7 + 7 sines, as they are: where that would take more than 4 million calls,
 ## the seconds are extrapolated from a part of the duration, and there is no error.
 ## @end deftypefn
@@ -36,7 +36,7 @@ endfunction
 function rungs = ladder (chosen, richer)
   rungs = {};
   for n = unique ([0:min(8, richer.bending), chosen.bending, richer.bending])
-    for stiffening = {"none", "foreshortening"}
+    for stiffening = {"none", "foreshortening"}(1:1 + (n > 0))
       rungs{end+1} = struct ("sines", [], "bending", n, "longitudinal", 0, "axial", "none", "stiffening", stiffening{1});
     endfor
   endfor
@@ -72,7 +72,19 @@ endfunction
 
 function row = row_of (rung, method, error_m, seconds, calls, chosen)
   row = struct ("model", rung_name (rung), "method", method, "error_m", error_m, "seconds", seconds, "calls", calls, ...
-                "stiffening", rung.stiffening, "chosen", isequal (rung, chosen), "extrapolated", false);
+                "label", label_of (rung), "stiffening", rung.stiffening, "chosen", isequal (rung, chosen), "extrapolated", false);
+endfunction
+
+## bending modes, with q where longitudinal ones are quasi-static, + their number where they are dynamic
+function label = label_of (rung)
+  label = sprintf ("%d", rung.bending);
+  if (! isempty (rung.sines))
+    label = sprintf ("%d + %d sines", rung.sines);
+  elseif (strcmp (rung.axial, "quasistatic"))
+    label = [label "q"];
+  elseif (strcmp (rung.axial, "dynamic"))
+    label = sprintf ("%s+%d", label, rung.longitudinal);
+  endif
 endfunction
 
 function table = add (table, row)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} random_scene (@var{seed})
 ## A scene drawn at random: lengths from 0.2 to 5 m, slenderness from 20 to 500, steel to rubber-like stiffness, a pulse or
-## a step of the moment, an initial state, with or without damping.  The loads are scaled to the rod, so that it bends by a
-## ten thousandth to a hundredth of its length.
+## a step of the moment, an initial state, with or without damping.  The moment is scaled to the rod, and gravity is less than
+## the earth's where it would bend the rod too far for small slopes.
 ## @end deftypefn
 
 function scene = random_scene (seed)
@@ -30,6 +30,7 @@ function scene = drawn_scene ()
   scene.model.energy = {"paper", "uniaxial"}{1 + (rand () < 0.5)};
   EI = rod.mu*2.6*rod.width*(2*rod.half_height)^3/12;
   period = 2*pi/15.4*sqrt (rod.density*rod.width*2*rod.half_height/EI)*length^2;
+  scene.gravity = min (9.81, between (0.01, 1)*EI/(rod.density*rod.width*2*rod.half_height*length^3));
   moment = between (1e-3, 0.1)*EI/length;
   duration = period*between (0.1, 10);
   if (rand () < 0.5)

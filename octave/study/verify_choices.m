@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} verify_choices (@var{scenes})
 ## Compare the model that each of the @var{scenes} (names, or seeds of @code{random_scene}, in a cell array) gets with 30
-## bending + 30 longitudinal modes and foreshortening, integrated a hundred times finer: the true error against the
+## bending + 30 longitudinal modes and foreshortening, integrated fifty times finer: the true error against the
 ## tolerance and against the estimate, and that of the next smaller rungs.  Prints `ok' or `not ok', a line a scene.
 ## @end deftypefn
 
@@ -22,7 +22,7 @@ function verify_choice (which)
   choice = choose_model (scene);
   rich = struct ("sines", [], "bending", 30, "longitudinal", 30, "axial", "dynamic", "stiffening", "foreshortening");
   start = tic ();
-  reference = trial_run (setfield (scene, "solver", "tolerance", tolerance/100), rich);
+  reference = trial_run (setfield (scene, "solver", "tolerance", tolerance/50), rich);
   true_error = distance (choice.trial, reference);
   smaller = Inf;
   for part = {"axial", "bending", "stiffening"}

@@ -33,8 +33,7 @@ endfunction
 function text = points (name, rows)
   text = sprintf ("$%s << EOD\n", name);
   for row = rows
-    short = regexprep (row.model, '( bending modes?)?(, foreshortening)?$', '');
-    text = [text, sprintf("%.9g %.9g \"%s\"\n", row.seconds, row.error_m, short)];
+    text = [text, sprintf("%.9g %.9g \"%s\"\n", row.seconds, row.error_m, row.label)];
   endfor
   text = [text "EOD\n"];
 endfunction
@@ -43,7 +42,7 @@ endfunction
 %! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
 %! unwind_protect
 %!   row = struct ("model", "3 bending modes, foreshortening", "method", "exponential", "error_m", 1e-3, "seconds", 2, ...
-%!                 "calls", 7, "stiffening", "foreshortening", "chosen", true, "extrapolated", false);
+%!                 "calls", 7, "label", "3", "stiffening", "foreshortening", "chosen", true, "extrapolated", false);
 %!   write_ladder (row, struct ("title", "rod", "solver", struct ("tolerance", 1e-2)), folder);
 %!   assert (sort ({dir(folder).name}), {".", "..", "models.csv", "models.png", "models.svg"});
 %!   assert (! isempty (strfind (fileread (fullfile (folder, "models.csv")), "\"3 bending modes, foreshortening\",exponential,0.001")));
