@@ -45,7 +45,7 @@ function times = meet (times, breaks)
 endfunction
 
 %!function system = pushed_mass ()   # x'' = 1 until t = 1, then 0
-%!  system = struct ("initial_state", [0; 0], "breaks", 1, "state_scale", [1; 1], "turned", false, ...
+%!  system = struct ("initial_state", [0; 0], "breaks", 1, "state_scale", [1; 1], "turned", false, "longest_step", Inf, ...
 %!                   "mass", 1, "stiffness", 0, "velocity_matrix", 1);
 %!  system.rate = @(t, y, interval) [y(2); interval(2) < 1];
 %!endfunction

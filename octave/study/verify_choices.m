@@ -32,7 +32,7 @@ function verify_choice (which)
     endif
   endfor
   ratio = choice.error/max (true_error, realmin);
-  within = true_error <= tolerance && smaller > 0.75*tolerance && ((ratio >= 0.3 && ratio <= 10) || true_error < tolerance/20);
+  within = true_error <= tolerance && smaller > 0.95*tolerance && ((ratio >= 0.3 && ratio <= 10) || true_error < tolerance/20);
   printf ("%s %s: %s, error %.3g of the tolerance, estimate/error %.2f, next smaller rung %.3g; reference %.0f s\n", ...
           {"not ok", "ok"}{1 + within}, name, rung_name (choice.trial.rung), true_error/tolerance, ratio, smaller/tolerance, toc (start));
 endfunction
