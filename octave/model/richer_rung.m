@@ -1,11 +1,11 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{rung} =} richer_rung (@var{rung}, @var{scene})
-## A rung that has more of everything that the @var{scene} does not fix: half as many modes again and two, up to 30 of a
+## A rung that has more of everything that the @var{scene} does not fix: twice as many modes and two more, up to 30 of a
 ## kind; the next treatment of the longitudinal modes; foreshortening.
 ## @end deftypefn
 
 function rung = richer_rung (rung, scene)
-  more = @(n) min (ceil (1.5*n) + 2, 30);
+  more = @(n) min (2*n + 2, 30);
   rung.bending = more (rung.bending);
   if (strcmp (rung.axial, "dynamic"))
     rung.longitudinal = more (rung.longitudinal);
@@ -25,4 +25,4 @@ endfunction
 %! rung = richer_rung (rigid, scene);
 %! assert ({rung.bending, rung.axial, rung.stiffening}, {2, "quasistatic", "foreshortening"});
 %! rung = richer_rung (rung, scene);
-%! assert ({rung.bending, rung.axial, rung.longitudinal}, {5, "dynamic", 3});
+%! assert ({rung.bending, rung.axial, rung.longitudinal}, {6, "dynamic", 3});
