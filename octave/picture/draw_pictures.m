@@ -5,7 +5,7 @@
 ## @file{history.svg}.
 ##
 ## The @var{drawing} of F frames has the fields @code{title}, @code{time} (1-by-F, s), @code{frames_per_second},
-## @code{zoom}, @code{gravity} (m/s²), @code{moment} (1-by-F, N m), @code{moment_breaks} (1-by-B, s), and
+## @code{zoom}, @code{gravity} (m/s²), @code{moment} (1-by-F, N m; of the load or the hub at O), @code{moment_breaks} (1-by-B, s), and
 ##
 ## @table @code
 ## @item bodies

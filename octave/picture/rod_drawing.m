@@ -11,6 +11,9 @@ function drawing = rod_drawing (scene, model, history)
   drawing.zoom = scene.zoom;
   drawing.gravity = scene.gravity;
   drawing.moment = scene.moment (history.t);
+  if (! isempty (history.torque))
+    drawing.moment = history.torque;
+  endif
   drawing.moment_breaks = scene.moment_breaks;
   [body.x, body.y] = centreline (model, stations, history, scene.zoom);
   [body.rest_x, body.rest_y] = centreline (model, stations, history, 0);
@@ -39,7 +42,7 @@ endfunction
 %!test
 %! scene = check_scene (setfield (paper (), "model", "modes", [0 1]));
 %! model = build_model (scene, rung_of_scene (scene));
-%! history = struct ("t", [0 1], "phi", [0 0], "V", [0, 1e-4]);
+%! history = struct ("t", [0 1], "phi", [0 0], "V", [0, 1e-4], "torque", []);
 %! drawing = rod_drawing (scene, model, history);
 %! E = 8.1e10*(3*1.2e11 + 2*8.1e10)/(1.2e11 + 8.1e10);
 %! assert (max (drawing.bodies.stress(:,2)), E*pi^2*1e-4*0.015, 1);
