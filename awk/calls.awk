@@ -54,14 +54,28 @@ function transpose_node(operand,    id)
   return id
 }
 
-# The scalar product of two columns. Octave multiplies x.'*y in a third of the time of its function dot.
+# The scalar product of two columns, at each time where they have times. Octave multiplies x.'*y in a third of the time
+# of its function dot.
 function dot_node(left, right,    id)
 {
   must_be_number(left, "dot")
   must_be_number(right, "dot")
-  if (node_shape[left] != node_shape[right] || node_shape[left] !~ /^(scalar|.*-by-1)$/)
+  if (rows_of(node_shape[left]) != rows_of(node_shape[right]) || !is_column(node_shape[left]) || !is_column(node_shape[right]))
     fail("dot wants two columns of one size, not " node_shape[left] " and " node_shape[right])
-  id = binary_node(".", transpose_node(left), right)
-  node_shape[id] = "scalar"
+  if (node_shape[left] node_shape[right] ~ /times.*times/) {
+    id = call_node("sum", binary_node("*", left, right), number_node("1"))
+    node_shape[id] = "1-by-times"
+  } else if (node_shape[left] ~ /times/)
+    id = binary_node(".", transpose_node(right), left)
+  else {
+    id = binary_node(".", transpose_node(left), right)
+    if (node_shape[right] !~ /times/)
+      node_shape[id] = "scalar"
+  }
   return id
+}
+
+function is_column(shape)
+{
+  return shape == "scalar" || are_columns(shape)
 }

@@ -1,4 +1,5 @@
-# Shapes: scalar, array (the common size of the array arguments, elementwise), R-by-C (R, C: integers or names).
+# Shapes: scalar, array (the common size of the array arguments, elementwise), R-by-C (R, C: integers or names). The
+# columns of 1-by-times and R-by-times are scalars and columns at several times: what is constant serves each of them.
 
 # Shape of an elementwise operation on two shapes; Maxima's * / ^ are elementwise on matrices too.
 function common_shape(left, right, operation)
@@ -7,7 +8,21 @@ function common_shape(left, right, operation)
     return right
   if (right == "scalar")
     return left
+  if (are_columns(left) && are_columns(right) && (left right) ~ /times/)
+    if (rows_of(left) == 1 || rows_of(right) == 1 || rows_of(left) == rows_of(right))
+      return (rows_of(left) == 1 ? rows_of(right) : rows_of(left)) "-by-times"
   fail("`" operation "' cannot combine " left " and " right)
+}
+
+function rows_of(shape)
+{
+  return shape ~ /-by-/ ? substr(shape, 1, index(shape, "-") - 1) : shape
+}
+
+# At one time or at several.
+function are_columns(shape)
+{
+  return shape ~ /-by-(1|times)$/
 }
 
 function product_shape(left, right,    l, r)

@@ -9,9 +9,9 @@
 ##
 ## Arguments:
 ## @table @asis
-## @item @var{phi} (scalar, rad)
+## @item @var{phi} (1-by-times, rad)
 ## rotation of the rod's frame x
-## @item @var{phi_dot} (scalar, rad/s)
+## @item @var{phi_dot} (1-by-times, rad/s)
 ## its rate
 ## @item @var{gravity} (scalar, m/s^2)
 ## acceleration of gravity
@@ -25,7 +25,7 @@
 ##
 ## Result:
 ## @table @asis
-## @item @var{V} (n-by-1, m)
+## @item @var{V} (n-by-times, m)
 ## amplitudes
 ## @end table
 ## @end deftypefn
@@ -34,15 +34,16 @@ function V = rod_followers (phi, phi_dot, gravity, flexibility, centrifugal_vect
   if (nargin != 6)
     print_usage ();
   endif
+  times = columns (phi);
   n = rows (flexibility);
-  if (! size_equal (1, phi, phi_dot, gravity) || columns (flexibility) != n || ...
-      ! size_equal (centrifugal_vector, first_moment_1) || rows (centrifugal_vector) != n || ...
-      columns (centrifugal_vector) != 1)
-    check_sizes ("rod_followers", {"phi", phi, [1, 1]; "phi_dot", phi_dot, [1, 1]; ...
+  if (! size_equal (1, gravity) || ! size_equal (phi, phi_dot) || rows (phi) != 1 || ...
+      columns (flexibility) != n || ! size_equal (centrifugal_vector, first_moment_1) || ...
+      rows (centrifugal_vector) != n || columns (centrifugal_vector) != 1)
+    check_sizes ("rod_followers", {"phi", phi, [1, times]; "phi_dot", phi_dot, [1, times]; ...
       "gravity", gravity, [1, 1]; "flexibility", flexibility, [n, n]; ...
       "centrifugal_vector", centrifugal_vector, [n, 1]; "first_moment_1", first_moment_1, [n, 1]});
   endif
-  V = flexibility*(centrifugal_vector*phi_dot^2 - first_moment_1*gravity*sin(phi));
+  V = flexibility*(centrifugal_vector.*phi_dot.^2 - first_moment_1*gravity.*sin(phi));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -9,13 +9,13 @@
 ##
 ## Arguments:
 ## @table @asis
-## @item @var{theta} (scalar, rad)
+## @item @var{theta} (1-by-times, rad)
 ## angle of the hub
-## @item @var{theta_dot} (scalar, rad/s)
+## @item @var{theta_dot} (1-by-times, rad/s)
 ## its rate
-## @item @var{V} (n-by-1, m)
+## @item @var{V} (n-by-times, m)
 ## amplitudes of the modes
-## @item @var{V_dot} (n-by-1, m/s)
+## @item @var{V_dot} (n-by-times, m/s)
 ## their rates
 ## @item @var{slope_1} (n-by-1, 1/m)
 ## slopes of the longitudinal base functions at O
@@ -25,13 +25,13 @@
 ##
 ## Results:
 ## @table @asis
-## @item @var{phi} (scalar, rad)
+## @item @var{phi} (1-by-times, rad)
 ## rotation of the rod's frame x
-## @item @var{phi_dot} (scalar, rad/s)
+## @item @var{phi_dot} (1-by-times, rad/s)
 ## its rate
-## @item @var{hub_gradient} (n-by-1, 1/m)
+## @item @var{hub_gradient} (n-by-times, 1/m)
 ## derivative of theta - phi by V
-## @item @var{hub_acceleration} (scalar, rad/s^2)
+## @item @var{hub_acceleration} (1-by-times, rad/s^2)
 ## second rate of theta - phi without V's accelerations
 ## @end table
 ## @end deftypefn
@@ -41,26 +41,30 @@ function [phi, phi_dot, hub_gradient, hub_acceleration] = rod_in_hub (theta, the
   if (nargin != 6)
     print_usage ();
   endif
+  times = columns (theta);
   n = rows (V);
-  if (! size_equal (1, theta, theta_dot) || ! size_equal (V, V_dot, slope_1, slope_2) || columns (V) != 1)
-    check_sizes ("rod_in_hub", {"theta", theta, [1, 1]; "theta_dot", theta_dot, [1, 1]; "V", V, [n, 1]; ...
-      "V_dot", V_dot, [n, 1]; "slope_1", slope_1, [n, 1]; "slope_2", slope_2, [n, 1]});
+  if (! size_equal (theta, theta_dot) || rows (theta) != 1 || ! size_equal (V, V_dot) || ...
+      columns (V) != times || ! size_equal (slope_1, slope_2) || rows (slope_1) != n || ...
+      columns (slope_1) != 1)
+    check_sizes ("rod_in_hub", {"theta", theta, [1, times]; "theta_dot", theta_dot, [1, times]; ...
+      "V", V, [n, times]; "V_dot", V_dot, [n, times]; "slope_1", slope_1, [n, 1]; ...
+      "slope_2", slope_2, [n, 1]});
   endif
-  v_1 = V.'*slope_2;
-  v_2 = V.'*slope_1;
+  v_1 = slope_2.'*V;
+  v_2 = slope_1.'*V;
   v_3 = v_2 + 1;
-  v_4 = v_1^2;
-  v_5 = 1/(v_4 + v_3^2);
-  v_6 = V_dot.'*slope_1;
-  v_7 = V_dot.'*slope_2;
-  v_8 = v_4 + v_2^2 + 2*v_2 + 1;
-  v_9 = 1/v_8;
-  v_10 = 1/v_8^2;
-  v_11 = 2*v_1*v_7 + 2*v_2*v_6 + 2*v_6;
+  v_4 = v_1.^2;
+  v_5 = 1./(v_4 + v_3.^2);
+  v_6 = slope_1.'*V_dot;
+  v_7 = slope_2.'*V_dot;
+  v_8 = v_4 + v_2.^2 + 2*v_2 + 1;
+  v_9 = 1./v_8;
+  v_10 = 1./v_8.^2;
+  v_11 = 2*v_1.*v_7 + 2*v_2.*v_6 + 2*v_6;
   phi = theta - atan2(v_1, v_3);
-  phi_dot = theta_dot - v_3*v_5*v_7 + v_1*v_5*v_6;
-  hub_gradient = v_2*v_9*slope_2 + v_9*slope_2 - v_1*v_9*slope_1;
-  hub_acceleration = -v_2*v_10*v_7*v_11 - v_10*v_7*v_11 + v_1*v_10*v_6*v_11;
+  phi_dot = theta_dot - v_3.*v_5.*v_7 + v_1.*v_5.*v_6;
+  hub_gradient = v_2.*v_9.*slope_2 + v_9.*slope_2 - v_1.*v_9.*slope_1;
+  hub_acceleration = -v_2.*v_10.*v_7.*v_11 - v_10.*v_7.*v_11 + v_1.*v_10.*v_6.*v_11;
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

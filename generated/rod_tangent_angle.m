@@ -8,9 +8,9 @@
 ##
 ## Arguments:
 ## @table @asis
-## @item @var{phi} (scalar, rad)
+## @item @var{phi} (1-by-times, rad)
 ## rotation of the rod's frame x
-## @item @var{V} (n-by-1, m)
+## @item @var{V} (n-by-times, m)
 ## amplitudes of the modes
 ## @item @var{slope_1} (n-by-1, 1/m)
 ## slopes of the longitudinal base functions
@@ -20,7 +20,7 @@
 ##
 ## Result:
 ## @table @asis
-## @item @var{psi} (scalar, rad)
+## @item @var{psi} (1-by-times, rad)
 ## angle of the tangent
 ## @end table
 ## @end deftypefn
@@ -29,12 +29,14 @@ function psi = rod_tangent_angle (phi, V, slope_1, slope_2)
   if (nargin != 4)
     print_usage ();
   endif
+  times = columns (phi);
   n = rows (V);
-  if (! size_equal (1, phi) || ! size_equal (V, slope_1, slope_2) || columns (V) != 1)
-    check_sizes ("rod_tangent_angle", {"phi", phi, [1, 1]; "V", V, [n, 1]; "slope_1", slope_1, [n, 1]; ...
-      "slope_2", slope_2, [n, 1]});
+  if (rows (phi) != 1 || columns (V) != times || ! size_equal (slope_1, slope_2) || ...
+      rows (slope_1) != n || columns (slope_1) != 1)
+    check_sizes ("rod_tangent_angle", {"phi", phi, [1, times]; "V", V, [n, times]; ...
+      "slope_1", slope_1, [n, 1]; "slope_2", slope_2, [n, 1]});
   endif
-  psi = phi + atan2(V.'*slope_2, V.'*slope_1 + 1);
+  psi = phi + atan2(slope_2.'*V, slope_1.'*V + 1);
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -5,7 +5,7 @@
 ## work of the loads, dissipated energy.  (The angular momentum feels no stiffness: its rate is smooth where phi's is not.)
 ##
 ## Fields: initial_state, rate, motion (times, states) = a struct of q, q_dot (n-by-m), phi, phi_dot (1-by-m) and torque
-## (of a hub, else empty), energies (phi, phi_dot, q, q_dot) = [T U Z], mass and stiffness (of the coordinates, linear
+## (of a hub, else empty), energies (phi, phi_dot, q, q_dot) = [T; U; Z], mass and stiffness (of the coordinates, linear
 ## about the undeformed rod), stiffness_at (t, y) (of the rod as it turns), damping_matrix (where there is damping), longest_step (s), velocity_matrix (the second part of y per rates of the coordinates, likewise), turned (see
 ## @code{integrate_ode45}: the paper's sines are integrated as they are), breaks (times in s at which a load jumps) and state_scale, what each state may be off by
 ## where a centreline point is off by 1 m.
@@ -45,9 +45,7 @@ endfunction
 
 function found = motion (times, states, n, rate)
   found = struct ("q", states(1:n,:), "q_dot", states(n+2:2*n+1,:), "phi", states(n+1,:), "torque", []);
-  for k = 1:numel (times)
-    found.phi_dot(k) = rate (times(k), states(:,k), times([k k]))(n+1);
-  endfor
+  found.phi_dot = rate (times, states, times([1 end]))(n+1,:);
 endfunction
 
 %!test # at rest and undeformed: the rod falls as a rigid one begins to

@@ -1,21 +1,21 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{y_dot} =} hinged_rod_rate (@var{t}, @var{y}, @var{interval}, @var{n}, @var{c})
-## Rate of the state of @code{hinged_rod}, from @code{rod_rates}, or @code{rod_rates_with_force} in a scene with a force.
+## Rates of the states @var{y} (a column a time) of @code{hinged_rod} at the times @var{t} (1-by-m), from @code{rod_rates}, or @code{rod_rates_with_force} in a scene with a force.
 ##
 ## Loads are taken at a time within @var{interval} = [start, end] (s), which has no jump in it.
 ## @end deftypefn
 
 function y_dot = hinged_rod_rate (t, y, interval, n, c)
-  V_dot = y(n+2:2*n+1);
+  [V, phi, V_dot, p] = deal (y(1:n,:), y(n+1,:), y(n+2:2*n+1,:), y(2*n+2,:));
   t = min (max (t, interval(1)), interval(2));
   if (isempty (c.force))
     [V_ddot, phi_dot, torque, power, dissipated] = rod_rates (
-      y(n+1), y(2*n+2), y(1:n), V_dot, c.inverse_mass_matrix, c.arguments{:}, c.moment (t), c.slopes{:});
+      phi, p, V, V_dot, c.inverse_mass_matrix, c.arguments{:}, c.moment (t), c.slopes{:});
   else
-    F = c.force (t);
+    F = at_times (c.force, t);
     [V_ddot, phi_dot, torque, power, dissipated] = rod_rates_with_force (
-      y(n+1), y(2*n+2), y(1:n), V_dot, c.inverse_mass_matrix, c.arguments{:}, c.moment (t), c.slopes{:}, ...
-      F(1), F(2), c.force_arguments{:});
+      phi, p, V, V_dot, c.inverse_mass_matrix, c.arguments{:}, c.moment (t), c.slopes{:}, F(1,:), F(2,:), ...
+      c.force_arguments{:});
   endif
   y_dot = [V_dot; phi_dot; V_ddot; torque; power; dissipated];
 endfunction
@@ -33,3 +33,13 @@ endfunction
 %! scene = check_scene (scene);
 %! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
 %! assert (system.rate (0, [0.3; 0; 0; 0], [0 1]), zeros (4, 1), 1e-12);
+
+%!test # at several times at once it is what it is at each
+%! scene = setfield (paper (), "force", @(t) [t, 5]); scene.model.modes = [2 3]; scene.rod.damping = 1e-4;
+%! scene = check_scene (scene);
+%! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
+%! y = 1e-3*reshape (1:42, 14, 3);
+%! together = system.rate ([0 0.1 0.2], y, [0 0.3]);
+%! for k = 1:3
+%!   assert (together(:,k), system.rate ((k - 1)/10, y(:,k), [0 0.3]), 1e-12*norm (together(:,k)));
+%! endfor

@@ -34,11 +34,9 @@ endfunction
 
 function found = motion (times, states, n, c)
   [found.q, found.q_dot] = deal (states(1:n,:), states(n+1:2*n,:));
-  for k = 1:numel (times)
-    theta = c.rotation (times(k));
-    [found.phi(k), found.phi_dot(k)] = rod_in_hub (theta(1), theta(2), found.q(:,k), found.q_dot(:,k), c.slopes{:});
-    [~, found.torque(k)] = hub_rod_rate (times(k), states(:,k), times(k)*[1 1], n, c);
-  endfor
+  theta = at_times (c.rotation, times);
+  [found.phi, found.phi_dot] = rod_in_hub (theta(1,:), theta(2,:), found.q, found.q_dot, c.slopes{:});
+  [~, found.torque] = hub_rod_rate (times, states, times([1 end]), n, c);
 endfunction
 
 %!test # the tangent at O has the hub's angle

@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{y_dot}, @var{torque}] =} hub_rod_rate (@var{t}, @var{y}, @var{interval}, @var{n}, @var{c})
-## Rate of the state of @code{hub_rod}, and the torque of the hub (N m): the multiplier of the constraint that the
+## Rates of the states @var{y} (a column a time) of @code{hub_rod} at the times @var{t} (1-by-m), and the torque of the hub (N m): the multiplier of the constraint that the
 ## tangent at O has the hub's angle.  The rotation phi of the rod's frame follows from it.
 ##
 ## Loads are taken at a time within @var{interval} = [start, end] (s), which has no jump in it.
@@ -8,17 +8,16 @@
 
 function [y_dot, torque] = hub_rod_rate (t, y, interval, n, c)
   t = min (max (t, interval(1)), interval(2));
-  V = y(1:n);
-  V_dot = y(n+1:2*n);
-  theta = c.rotation (t);
-  [phi, phi_dot, gradient, acceleration] = rod_in_hub (theta(1), theta(2), V, V_dot, c.slopes{:});
+  [V, V_dot, theta] = deal (y(1:n,:), y(n+1:2*n,:), at_times (c.rotation, t));
+  [phi, phi_dot, gradient, acceleration] = rod_in_hub (theta(1,:), theta(2,:), V, V_dot, c.slopes{:});
   [mass_V_phi, mass_phi_phi, force_V, force_phi, power, dissipated] = rod_forces (t, phi, phi_dot, V, V_dot, c);
-
-  solution = [c.mass_matrix, mass_V_phi, -gradient
-              mass_V_phi.', mass_phi_phi, -1
-              gradient.', 1, 0] \ [force_V; force_phi; theta(3) - acceleration];
-  torque = solution(end);
-  y_dot = [V_dot; solution(1:n); power + torque*theta(2); dissipated];
+  for k = 1:numel (t)
+    [g, m] = deal (gradient(:,k), mass_V_phi(:,k));
+    solution(:,k) = [c.mass_matrix, m, -g; m.', mass_phi_phi(k), -1; g.', 1, 0] ...
+                    \ [force_V(:,k); force_phi(k); theta(3,k) - acceleration(k)];
+  endfor
+  torque = solution(end,:);
+  y_dot = [V_dot; solution(1:n,:); power + torque.*theta(2,:); dissipated];
 endfunction
 
 %!test # a rigid rod: the torque turns its moment of inertia and carries its weight

@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{mass_V_phi}, @var{mass_phi_phi}, @var{force_V}, @var{force_phi}, @var{power}, @var{dissipated}] =} rod_forces (@var{t}, @var{phi}, @var{phi_dot}, @var{V}, @var{V_dot}, @var{c})
-## Blocks of the mass matrix and generalized forces of the rod with its loads, from @code{rod_equations} and
+## Blocks of the mass matrix and generalized forces of the rod with its loads at the times @var{t} (1-by-m), from @code{rod_equations} and
 ## @code{rod_point_force}; @var{c} comes from @code{rod_constants}.
 ## @end deftypefn
 
@@ -8,8 +8,8 @@ function [mass_V_phi, mass_phi_phi, force_V, force_phi, power, dissipated] = rod
   [mass_V_phi, mass_phi_phi, force_V, force_phi, power, dissipated] = rod_equations (
     phi, phi_dot, V, V_dot, c.arguments{:}, c.moment (t), c.slopes{:});
   if (! isempty (c.force))
-    F = c.force (t);
-    [load_V, load_phi, load_power] = rod_point_force (phi, phi_dot, V, V_dot, F(1), F(2), ...
+    F = at_times (c.force, t);
+    [load_V, load_phi, load_power] = rod_point_force (phi, phi_dot, V, V_dot, F(1,:), F(2,:), ...
                                                       c.force_arguments{:});
     force_V += load_V;
     force_phi += load_phi;

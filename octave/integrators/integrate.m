@@ -12,7 +12,8 @@
 ## @end deftypefn
 
 function [states, count] = integrate (system, times, solver)
-  methods = struct ("auto", @integrate_exponential, "ode45", @integrate_ode45, "exponential", @integrate_exponential);
+  methods = struct ("auto", @integrate_waveform, "waveform", @integrate_waveform, "ode45", @integrate_ode45, ...
+                    "exponential", @integrate_exponential);
   method = methods.(solver.name);
   parts = {4, 400}{1 + (strcmp (solver.name, "ode45") && ! system.turned)};
   start = tic ();
@@ -63,4 +64,5 @@ endfunction
 %! for tolerance = [1e-5 1e-6]
 %!   assert (max (abs (at ("ode45", tolerance) - reference)(:)) < tolerance);
 %!   assert (max (abs (at ("exponential", tolerance) - reference)(:)) < tolerance);
+%!   assert (max (abs (at ("waveform", tolerance) - reference)(:)) < tolerance);
 %! endfor

@@ -16,15 +16,21 @@ function modal = modal_form (system, stiffness)
   if (isfield (system, "damping_matrix"))
     damping = diag (X \ (system.mass \ (system.damping_matrix*X)));
   endif
-  transform = blkdiag (X, system.velocity_matrix*X, eye (numel (system.initial_state) - 2*n));
-  inverse = inv (transform);
-  oscillation = zeros (rows (transform));
-  oscillation(1:n,n+1:2*n) = eye (n);
-  oscillation(n+1:2*n,1:2*n) = [-diag(squares), -diag(damping)];
   modal = struct ("n", n, "omega", sqrt (squares), "damping", damping, "X", X);
-  modal.state = @(z) transform*z;
-  modal.form = @(y) inverse*y;
-  modal.remainder = @(t, z) inverse*system.rate (t, transform*z) - oscillation*z;
+  velocities = system.velocity_matrix*X;
+  modal.state = @(z) [X*z(1:n,:); velocities*z(n+1:2*n,:); z(2*n+1:end,:)];
+  [to_eta, to_eta_dot] = deal (inv (X), inv (velocities));
+  modal.form = @(y) [to_eta*y(1:n,:); to_eta_dot*y(n+1:2*n,:); y(2*n+1:end,:)];
+  modal.remainder = @(t, z) remainder (t, z, n, X, velocities, to_eta, to_eta_dot, squares, damping, system.rate);
+endfunction
+
+function r = remainder (t, z, n, X, velocities, to_eta, to_eta_dot, squares, damping, rate)
+  eta = z(1:n,:);
+  eta_dot = z(n+1:2*n,:);
+  y_dot = rate (t, [X*eta; velocities*eta_dot; z(2*n+1:end,:)]);
+  r = [to_eta*y_dot(1:n,:) - eta_dot
+       to_eta_dot*y_dot(n+1:2*n,:) + squares.*eta + damping.*eta_dot
+       y_dot(2*n+1:end,:)];
 endfunction
 
 %!test # of a linear system nothing is left

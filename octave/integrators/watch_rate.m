@@ -3,17 +3,18 @@
 ## @deftypefnx {} {@var{y_dot} =} watch_rate (@var{t}, @var{y_dot})
 ## @deftypefnx {} {@var{calls} =} watch_rate ("calls")
 ## @deftypefnx {} {@var{calls} =} watch_rate ()
-## Start to watch a rate up to @var{end_time} (s); let a value pass and count it; the number of calls so far; end, with
-## that number.
+## Start to watch a rate up to @var{end_time} (s); let values pass and count them, one a column; the number of calls so
+## far, a value each; end, with that number.
 ## On a terminal it shows how far the time @var{t} (s) has come and how many seconds are left.
 ## @end deftypefn
 
 function value = watch_rate (t, value)
   persistent calls = 0 due = Inf end_time clock shown = 0;
   if (nargin == 2)
-    if (++calls == due)
-      due += 1000;
-      shown = show_progress (t, end_time, toc (clock), shown);
+    calls += columns (value);
+    if (calls >= due)
+      due = calls + 1000;
+      shown = show_progress (t(end), end_time, toc (clock), shown);
     endif
   elseif (nargin == 1 && ischar (t))
     value = calls;
@@ -40,4 +41,5 @@ endfunction
 %! watch_rate (1);
 %! assert (watch_rate (0.5, [1; 2]), [1; 2]);
 %! watch_rate (0.6, 0);
-%! assert (watch_rate (), 2);
+%! watch_rate ([0.7 0.8], [1 2; 3 4]);
+%! assert (watch_rate (), 4);

@@ -55,7 +55,7 @@ endfunction
 function [phi, phi_dot] = rigid_motion (scene, model, times)
   system = rod_system (scene, model);
   [asked, ~, back] = unique (times);
-  states = integrate (system, asked, struct ("name", "exponential", "tolerance", 1e-3*scene.rod.length));
+  states = integrate (system, asked, struct ("name", "auto", "tolerance", 1e-3*scene.rod.length));
   motion = system.motion (times, states(:,back));
   [phi, phi_dot] = deal (motion.phi, motion.phi_dot);
 endfunction

@@ -40,7 +40,7 @@ function fields = scene_fields ()
     "model.stiffening",      "auto",         "\"auto\", \"foreshortening\" or \"none\""
     "model.moment_work",     "tangent",      "\"tangent\" or \"chord\""
     "model.rotary_inertia",  true,           "true or false"
-    "solver.name",           "auto",         "\"auto\", \"ode45\" or \"exponential\""
+    "solver.name",           "auto",         "\"auto\", \"waveform\", \"exponential\" or \"ode45\""
     "solver.tolerance",      "pixel",        "\"pixel\" or positive number in m"
   };
 endfunction

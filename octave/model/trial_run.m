@@ -12,7 +12,7 @@ function trial = trial_run (scene, rung)
   stations = linspace (0, scene.rod.length, 21);
   try
     system = rod_system (scene, trial.model);
-    [states, count] = integrate (system, times, struct ("name", "exponential", "tolerance", scene.solver.tolerance/5));
+    [states, count] = integrate (system, times, struct ("name", "auto", "tolerance", scene.solver.tolerance/5));
     trial.history = measure (system, trial.model, times, states);
     [trial.x, trial.y] = centreline (trial.model, stations, trial.history, 1);
     trial.count = count;

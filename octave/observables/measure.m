@@ -16,16 +16,13 @@ function history = measure (system, model, times, states)
   N1 = numel (model.base.longitudinal);
   followers = model.followers;
   a = model.arrays;
-  for k = 1:numel (times)
-    [phi, phi_dot, q] = deal (motion.phi(k), motion.phi_dot(k), motion.q(:,k));
-    if (! isempty (followers))
-      history.V(1:N1,k) = rod_followers (phi, phi_dot, system.gravity, followers.flexibility, ...
-                                         followers.centrifugal_vector, followers.first_moment_1);
-    endif
-    history.psi(k) = rod_tangent_angle (phi, q, a.slope_1, a.slope_2);
-    E = system.energies (phi, phi_dot, q, motion.q_dot(:,k));
-    [history.T(k), history.U(k), history.Z(k)] = deal (E(1), E(2), E(3));
-  endfor
+  if (! isempty (followers))
+    history.V(1:N1,:) = rod_followers (motion.phi, motion.phi_dot, system.gravity, followers.flexibility, ...
+                                       followers.centrifugal_vector, followers.first_moment_1);
+  endif
+  history.psi = rod_tangent_angle (motion.phi, motion.q, a.slope_1, a.slope_2);
+  E = system.energies (motion.phi, motion.phi_dot, motion.q, motion.q_dot);
+  [history.T, history.U, history.Z] = deal (E(1,:), E(2,:), E(3,:));
   history.V_names = [numbered("V1", model.base.longitudinal), numbered("V2", model.base.transversal)];
   [history.tip_x, history.tip_y] = centreline (model, model.length, history, 1);
   history.W = states(end-1,:);

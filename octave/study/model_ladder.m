@@ -22,7 +22,7 @@ function table = model_ladder (scene = "paper", varargin)
   chosen = choice.trial.rung;
   for rung = ladder (chosen, choice.reference.rung)
     trial = trial_run (scene, rung{1});
-    table = add (table, row_of (trial.rung, "exponential", distance (trial, reference), trial.count.seconds, trial.calls, chosen));
+    table = add (table, row_of (trial.rung, trial.count.method, distance (trial, reference), trial.count.seconds, trial.calls, chosen));
   endfor
   sines = struct ("sines", [7 7], "bending", 7, "longitudinal", 7, "axial", "dynamic", "stiffening", chosen.stiffening);
   for rung = {chosen, sines}

@@ -65,7 +65,7 @@ endfunction
 %! check ("model.stiffening", "yes", "is \"yes\": it takes \"auto\", \"foreshortening\" or \"none\"");
 %! check ("model.moment_work", "both", "is \"both\": it takes \"tangent\" or \"chord\"");
 %! check ("model.rotary_inertia", 2, "is 2: it takes true or false");
-%! check ("solver.name", "magic", "is \"magic\": it takes \"auto\", \"ode45\" or \"exponential\"");
+%! check ("solver.name", "magic", "is \"magic\": it takes \"auto\", \"waveform\", \"exponential\" or \"ode45\"");
 %! check ("solver.tolerance", 0, "is 0: it takes \"pixel\" or positive number in m");
 
 %!test # every field of the table has had its bad value above

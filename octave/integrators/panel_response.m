@@ -1,0 +1,58 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{free}, @var{forced}] =} panel_response (@var{modal}, @var{h}, @var{x}, @var{weights}, @var{extra})
+## What a state z of @code{modal_form} with @var{extra} states w becomes at the fractions @var{x} (1-by-k, increasing) of a
+## panel of @var{h} (s): free*z + forced.'*remainders, (R k)-by-R and (R m)-by-(R k), sparse, with R = rows (z).  The remainders stand
+## below each other, (R m)-by-1, from the first node to the last; @var{weights} (m-by-m) times a row of values at the nodes
+## gives k! times the coefficients of the powers of x.
+## @end deftypefn
+
+function [free, forced] = panel_response (modal, h, x, weights, extra)
+  [n, m, k] = deal (modal.n, rows (weights), numel (x));
+  times_k = ones (k, 1);
+  [omega, damping] = deal (kron (times_k, modal.omega), kron (times_k, modal.damping));
+  tau = kron (h*x.', ones (n, 1));
+  [same, other] = oscillator_functions (omega, damping, tau, m);
+  powers = h*x.'.^(1:m);
+  by_nodes = @(f) (f.*kron (powers, ones (rows (f)/k, 1)))*weights.';
+  [same_forced, other_forced] = deal (by_nodes (same(:,2:end)), by_nodes (other(:,2:end)));
+  constant = by_nodes (ones (k*extra, 1)./cumprod (1:m));
+
+  R = 2*n + extra;
+  first_row = (0:k-1)*R;
+  coordinate = ((1:n).' + first_row)(:);
+  rest = ((2*n+1:R).' + first_row)(:);
+  [of_coordinate, of_rest] = deal (kron (times_k, (1:n).'), kron (times_k, (2*n+1:R).'));
+  free = blocks (coordinate, of_coordinate, n, same(:,1), other(:,1), omega, damping, rest, of_rest, ones (k*extra, 1), R*k, R);
+  node = R*(0:m-1);
+  forced = blocks (coordinate, of_coordinate + node, n, same_forced, other_forced, omega, damping, rest, of_rest + node, ...
+                   constant, R*k, R*m).';
+endfunction
+
+## same + other*A for the modes, the constants for the rest
+function S = blocks (row, column, n, same, other, omega, damping, rest, of_rest, constant, height, width)
+  every = ones (1, columns (column));
+  [row, rest] = deal (row(:,every), rest(:,every));
+  S = sparse ([row(:); row(:); row(:) + n; row(:) + n; rest(:)], ...
+              [column(:); column(:) + n; column(:); column(:) + n; of_rest(:)], ...
+              [same(:); other(:); (-omega.^2.*other)(:); (same - damping.*other)(:); constant(:)], height, width);
+endfunction
+
+%!test # a load that grows as the square of time, on an oscillator, a free mass and a damper, and a state that follows
+%! modal = struct ("n", 3, "omega", [2; 0; 0], "damping", [0; 0; 3]);
+%! nodes = [0 0.3 1];
+%! weights = inv (nodes.^((0:2).')).*[1 1 2];
+%! [free, forced] = panel_response (modal, 0.7, [0.4 1], weights, 1);
+%! load = kron (nodes.'.^2, [0; 0; 0; 1; 1; 1; 1]);
+%! z = free*[1; 2; 3; 4; 5; 6; 7] + forced.'*load;
+%! for k = 1:2
+%!   t = 0.7*[0.4 1](k);
+%!   part = @(f) quadgk (@(s) f (t - s).*(s/0.7).^2, 0, t);
+%!   exact = [cos(2*t) + 2*sin(2*t) + part(@(s) sin (2*s)/2)
+%!            2 + 5*t + part(@(s) s)
+%!            3 + 2*(1 - exp (-3*t)) + part(@(s) (1 - exp (-3*s))/3)
+%!            -2*sin(2*t) + 4*cos(2*t) + part(@(s) cos (2*s))
+%!            5 + part(@(s) 1 + 0*s)
+%!            6*exp(-3*t) + part(@(s) exp (-3*s))
+%!            7 + part(@(s) 1 + 0*s)];
+%!   assert (z(7*(k-1)+(1:7)), exact, 1e-9);
+%! endfor

@@ -1,0 +1,72 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{window} =} solve_window (@var{modal}, @var{t}, @var{z}, @var{h}, @var{panels}, @var{panel}, @var{scale})
+## Solve z_dot = oscillation + remainder (see @code{modal_form}) from the time @var{t} (s) and the state @var{z} on,
+## through so many @var{panels} of @var{h} (s) each, by waveform relaxation: the remainder at all nodes of all panels at
+## once, then the oscillators under it, exactly, and again until a sweep changes less than a tenth of the @var{scale},
+## which is what (eta; w) may be off by.
+##
+## @var{panel} has the matrices of one panel: nodes (1-by-m, 0 to 1), free and forced at all nodes but the first (see
+## @code{panel_response}), and defect (m-by-m), which leaves of values at the nodes (in a row) what polynomials of two degrees less do not
+## have.  @var{window}: converged, error (estimate, in units of the scale: as if the defect met every mode in resonance),
+## starts (states where the panels begin and end, R-by-(panels + 1)), remainders ((R m)-by-panels), sweeps.
+## @end deftypefn
+
+function window = solve_window (modal, t, z, h, panels, panel, scale)
+  R = rows (z);
+  m = numel (panel.nodes);
+  inner = reshape (panel.nodes(1:end-1).' + (0:panels-1), 1, []);
+  times = t + h*[inner, panels];
+  of_panel = (1:m).' + (m - 1)*(0:panels-1);
+  size_of = @(z) max (sizes (modal, z)./scale);
+
+  remainder = modal.remainder (t, z)(:,ones (1, numel (times)));
+  [starts, window.converged, change, window.sweeps] = deal (Inf, false, Inf, 0);
+  do
+    if (window.sweeps++ > 0)
+      remainder = modal.remainder (times, states);
+    endif
+    window.remainders = reshape (remainder(:,of_panel(:)), R*m, panels);
+    forced = (window.remainders.'*panel.forced).';  # full times sparse: in this order it is fast
+    window.starts = chained (panel.free(end-R+1:end,:), z, forced(end-R+1:end,:));
+    states = [z, reshape((window.starts(:,1:end-1).'*panel.free.').' + forced, R, [])];
+    [last, change] = deal (change, size_of (window.starts - starts));
+    rate = change/last;  # of convergence
+    window.converged = change < 1e-3 || (window.sweeps > 2 && change*rate <= 0.1*(1 - rate));
+    starts = window.starts;
+  until (window.converged || window.sweeps > 15 || ! (window.sweeps < 4 || change < 0.7*last))
+  window.error = size_of (defect_of (modal, remainder(:,of_panel(:)), h, panels, panel.defect));
+endfunction
+
+## each panel begins where the last one ended
+function starts = chained (free, z, forced)
+  free = full (free);
+  starts = [z, forced];
+  for k = 2:columns (starts)
+    z = free*z + forced(:,k-1);
+    starts(:,k) = z;
+  endfor
+endfunction
+
+## m: what the coordinates are off by
+function z = defect_of (modal, remainders, h, panels, defect)
+  [R, n, m] = deal (rows (remainders), modal.n, rows (defect));
+  by_nodes = reshape (permute (reshape (remainders, R, m, panels), [1 3 2]), R*panels, m)*defect;
+  z = h*sum (reshape (max (abs (by_nodes), [], 2), R, panels), 2);
+  z(1:n) += z(n+1:2*n)./max (modal.omega, 1/(h*panels));
+endfunction
+
+function metres = sizes (modal, z)
+  n = modal.n;
+  metres = max ([abs(modal.X)*abs(z(1:n,:)); abs(z(2*n+1:end,:))], [], 2);
+endfunction
+
+%!test # x_ddot = -4 x - x^3/10 on two panels: as finely as another method has it
+%! modal = struct ("n", 1, "omega", 2, "damping", 0, "X", 1, "remainder", @(t, z) [0*z(1,:); -z(1,:).^3/10]);
+%! nodes = [0 0.15 0.5 0.85 1];
+%! weights = inv (nodes.^((0:4).')).*[1 1 2 6 24];
+%! panel = struct ("nodes", nodes, "defect", zeros (5));
+%! [panel.free, panel.forced] = panel_response (modal, 0.1, nodes(2:end), weights, 0);
+%! window = solve_window (modal, 0, [1; 0], 0.1, 2, panel, 1e-9);
+%! [~, y] = ode45 (@(t, y) [y(2); -4*y(1) - y(1)^3/10], [0 0.1 0.2], [1; 0], odeset ("RelTol", 1e-11, "AbsTol", 1e-11));
+%! assert (window.converged);
+%! assert (window.starts, y.', 1e-9);
