@@ -6,8 +6,9 @@
 ##
 ## Fields: initial_state, rate, motion (times, states) = a struct of q, q_dot (n-by-m), phi, phi_dot (1-by-m) and torque
 ## (of a hub, else empty), energies (phi, phi_dot, q, q_dot) = [T; U; Z], mass and stiffness (of the coordinates, linear
-## about the undeformed rod), stiffness_at (t, y) (of the rod as it turns), damping_matrix (where there is damping), longest_step (s), velocity_matrix (the second part of y per rates of the coordinates, likewise), turned (see
-## @code{integrate_ode45}: the paper's sines are integrated as they are), breaks (times in s at which a load jumps) and state_scale, what each state may be off by
+## about the undeformed rod), stiffness_at (t, y) (of the rod as it turns), damping_matrix (where there is damping), longest_step (s), velocity_matrix (the second part of y per rates of the coordinates, likewise), momenta and accelerations
+## (other forms of the same, see @code{momenta_of_rod} and @code{accelerations_of_rod}), turned (see
+## @code{integrate_explicit}: the paper's sines are integrated as they are), breaks (times in s at which a load jumps) and state_scale, what each state may be off by
 ## where a centreline point is off by 1 m.
 ## @end deftypefn
 
@@ -26,6 +27,8 @@ function system = hinged_rod (scene, model)
   system.rate = @(t, y, interval) hinged_rod_rate (t, y, interval, n, constants);
   system.motion = @(times, states) motion (times, states, n, system.rate);
   system.energies = @(phi, phi_dot, q, q_dot) rod_energies_of (phi, phi_dot, q, q_dot, constants);
+  system.momenta = momenta_of_rod (n, constants, system.mass, system.stiffness);
+  system.accelerations = accelerations_of_rod (n, constants);
   system.turned = isempty (model.rung.sines);
   system.duration = scene.duration;
   system.gravity = scene.gravity;

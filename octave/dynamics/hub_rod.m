@@ -24,6 +24,7 @@ function system = hub_rod (scene, model)
   system.rate = @(t, y, interval) hub_rod_rate (t, y, interval, n, constants);
   system.motion = @(times, states) motion (times, states, n, constants);
   system.energies = @(phi, phi_dot, q, q_dot) rod_energies_of (phi, phi_dot, q, q_dot, constants);
+  system.accelerations = struct ("rate", system.rate, "state", @(z) z, "form", @(y) y);
   system.turned = isempty (model.rung.sines);
   system.duration = scene.duration;
   system.gravity = scene.gravity;

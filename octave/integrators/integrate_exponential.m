@@ -1,18 +1,19 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_exponential (@var{system}, @var{rate}, @var{times}, @var{y}, @var{tolerance})
+## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_exponential (@var{system}, @var{times}, @var{y}, @var{solver})
 ## Krogstad's exponential Runge-Kutta method of order 4 (J. Comput. Phys. 203, 2005) through all @var{times} (1-by-m, s)
 ## from the state @var{y}: the oscillation of the linear modes (see @code{modal_form}) is exact, what is left is taken at
 ## four stages.  The modes are those of the rod as it turns, made anew every second step.
 ##
 ## The first stage of the next step, and how the second difference of the stages changes from step to step, give an
-## error estimate of order 3, which @var{tolerance} bounds in units of system.state_scale.  The steps between two times are equal, as many as that takes, and none is longer than system.longest_step.  Steps that shrink to nothing are an
+## error estimate of order 3, which @var{solver}.tolerance bounds in units
+## of system.state_scale.  The steps between two times are equal, as many as that takes, and none is longer than
+## system.longest_step.  Steps that shrink to nothing are an
 ## error that says where.
 ## @end deftypefn
 
-function [states, steps] = integrate_exponential (system, rate, times, y, tolerance)
-  system.rate = rate;
+function [states, steps] = integrate_exponential (system, times, y, solver)
   n = rows (system.mass);
-  scale = tolerance*system.state_scale([1:n, 2*n+1:end]);
+  scale = solver.tolerance*system.state_scale([1:n, 2*n+1:end]);
   states = repmat (y, 1, numel (times));
   [steps, h, curvature, age] = deal (0, diff (times([1 end])), [], 0);
   for k = 2:numel (times)
@@ -41,9 +42,8 @@ function [states, steps] = integrate_exponential (system, rate, times, y, tolera
       endif
       h = max (step.h*next_factor (error_ratio), h*(error_ratio <= 1 && m == 1));
       if (h < 1e-12*times(end))
-        scene_error (["exponential stopped at t = %g s of %g s: its step size collapsed, because the state grows without" ...
-                      " bound or the tolerance of %g m is below what doubles can hold; try a larger tolerance or fewer modes"],
-                     t, times(end), tolerance);
+        stop_integration ("exponential", system, t, times(end), h, "its steps shrank to nothing", ...
+                          sprintf ("a larger tolerance than %.2g m", solver.tolerance));
       endif
     endwhile
     states(:,k) = y;
@@ -91,16 +91,17 @@ endfunction
 %!  w = [0; 3; 1000];
 %!  system = struct ("mass", eye (3), "stiffness_at", @(t, y) diag (w.^2), "state_scale", ones (7, 1), "longest_step", Inf, "velocity_matrix", eye (3), ...
 %!                   "initial_state", zeros (7, 1));
-%!  system.rate = @(t, y, interval) [y(4:6); cos(t) - w.^2.*y(1:3); cos(t)];
+%!  system.rate = @(t, y) [y(4:6); cos(t) - w.^2.*y(1:3); cos(t)];
 %!endfunction
 %!test # oscillations beyond the step are exact, the load is integrated to the tolerance
 %! system = driven_oscillators ();
-%! [states, steps] = integrate_exponential (system, @(t, y) system.rate (t, y, []), [0 1 2.5 4], zeros (7, 1), 1e-9);
+%! [states, steps] = integrate_exponential (system, [0 1 2.5 4], zeros (7, 1), struct ("tolerance", 1e-9));
 %! w = [3; 1000];
 %! exact = [1 - cos(4); (cos (4) - cos (4*w))./(w.^2 - 1)];
 %! assert (states(1:3,4), exact, 1e-8);
 %! assert (states(7,4), sin (4), 1e-8);
 %! assert (steps < 1000);
-%!error <exponential stopped at t = (0.99|1)\d* s of 2 s: its step size collapsed>
-%! system = struct ("mass", 1, "stiffness_at", @(t, y) 0, "longest_step", Inf, "state_scale", [1; 1], "velocity_matrix", 1, "initial_state", [1; 1]);
-%! integrate_exponential (system, @(t, y) [y(2); 2*y(1)^3], [0 2], [1; 1], 1e-6);
+%!error <exponential stopped at t = (0.99|1)\d* s of 2 s: its steps shrank to nothing: .* try a larger tolerance than 1e-06 m>
+%! system = struct ("mass", 1, "stiffness", 0, "stiffness_at", @(t, y) 0, "longest_step", Inf, "state_scale", [1; 1], ...
+%!                  "velocity_matrix", 1, "initial_state", [1; 1], "rate", @(t, y) [y(2); 2*y(1)^3]);
+%! integrate_exponential (system, [0 2], [1; 1], struct ("tolerance", 1e-6));

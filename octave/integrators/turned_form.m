@@ -1,5 +1,5 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{turned} =} turned_form (@var{system}, @var{rate}, @var{start}, @var{y})
+## @deftypefn {} {@var{turned} =} turned_form (@var{system}, @var{start}, @var{y})
 ## A system for explicit methods without the stiffness of its linear modes, for a while from the time @var{start} (s) and
 ## the state @var{y} on: by variation of constants.  The modal coordinates (see @code{modal_form}, with the stiffness of
 ## the rod as it turns) are those that the constants u would have become, left to oscillate under the remainder at the
@@ -9,8 +9,7 @@
 ## is off by 1 m.
 ## @end deftypefn
 
-function turned = turned_form (system, rate, start, y)
-  system.rate = rate;
+function turned = turned_form (system, start, y)
   if (isfield (system, "damping_matrix"))
     system = rmfield (system, "damping_matrix");  # it cannot be turned back
   endif
@@ -54,8 +53,8 @@ endfunction
 %!test # what oscillates under a constant load stands still, the state comes back
 %! system = struct ("mass", eye (2), "stiffness_at", @(t, y) diag ([0 9]), "state_scale", ones (5, 1), "duration", 1, ...
 %!                  "velocity_matrix", eye (2), "initial_state", zeros (5, 1));
-%! rate = @(t, y) [y(3:4); [2; 18] - [0; 9].*y(1:2); y(3)];
-%! turned = turned_form (system, rate, 2, [1; 2; 3; 4; 5]);
+%! system.rate = @(t, y) [y(3:4); [2; 18] - [0; 9].*y(1:2); y(3)];
+%! turned = turned_form (system, 2, [1; 2; 3; 4; 5]);
 %! assert (turned.rate (2.7, turned.start)(1:4), zeros (4, 1), 1e-14);
 %! tau = pi/3;
 %! assert (turned.state (2 + tau, turned.start)(1:4), [1 + 3*tau + tau^2; 2; 3 + 2*tau; -4], 1e-13);

@@ -28,6 +28,8 @@ function good = is_of_kind (kind, value)
   elseif (! isempty (strfind (kind, "[N1 N2]")))
     good = isnumeric (value) && isreal (value) && numel (value) == 2 && all (value(:) >= 0 & value(:) == fix (value(:)))...
            && all (value(:) <= 1000);
+  elseif (strcmp (kind, "number from 0 to 1"))
+    good = number && value >= 0 && value <= 1;
   elseif (! isempty (strfind (kind, "positive number")))
     good = number && value > 0;
   elseif (! isempty (strfind (kind, "nonnegative number")))

@@ -65,7 +65,9 @@ endfunction
 %! check ("model.stiffening", "yes", "is \"yes\": it takes \"auto\", \"foreshortening\" or \"none\"");
 %! check ("model.moment_work", "both", "is \"both\": it takes \"tangent\" or \"chord\"");
 %! check ("model.rotary_inertia", 2, "is 2: it takes true or false");
-%! check ("solver.name", "magic", "is \"magic\": it takes \"auto\", \"waveform\", \"exponential\" or \"ode45\"");
+%! check ("solver.name", "magic", "is \"magic\": it takes \"auto\", \"waveform\", \"exponential\", \"ode45\", \"ode23\", \"ode23s\", \"ode15s\", \"lsode_adams\", \"lsode_bdf\", \"rk4\", \"stormer_verlet\", \"implicit_midpoint\", \"generalized_alpha\" or \"trigonometric\"");
+%! check ("solver.step", 0, "is 0: it takes positive number in s");
+%! check ("solver.rho_infinity", 2, "is 2: it takes number from 0 to 1");
 %! check ("solver.tolerance", 0, "is 0: it takes \"pixel\" or positive number in m");
 
 %!test # every field of the table has had its bad value above

@@ -1,0 +1,42 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{accelerations} =} accelerations_of_rod (@var{n}, @var{c})
+## The hinged rod of @var{n} coordinates in coordinates and their rates, z = (q; phi; q_dot; phi_dot; W; D), for methods of
+## structural dynamics: a struct of rate (t, z, interval), state (z) = y of @code{hinged_rod} and form (y) = z.  @var{c}
+## comes from @code{rod_constants}.
+## @end deftypefn
+
+function accelerations = accelerations_of_rod (n, c)
+  accelerations.rate = @(t, z, interval) rate (t, z, interval, n, c);
+  accelerations.state = @(z) state (z, n, c);
+  accelerations.form = @(y) form (y, n, c);
+endfunction
+
+function z_dot = rate (t, z, interval, n, c)
+  t = min (max (t, interval(1)), interval(2));
+  [m, mm, force_V, force_phi, power, dissipated] = rod_forces (t, z(n+1), z(2*n+2), z(1:n), z(n+2:2*n+1), c);
+  z_dot = [z(n+2:2*n+2); [c.mass_matrix, m; m.', mm] \ [force_V; force_phi]; power; dissipated];
+endfunction
+
+function y = state (z, n, c)
+  y = z;
+  [~, y(2*n+2,:)] = rod_energies_of (z(n+1,:), z(2*n+2,:), z(1:n,:), z(n+2:2*n+1,:), c);
+endfunction
+
+function z = form (y, n, c)
+  z = y;
+  z(2*n+2,:) = hinged_rod_rate (0, y, [0 0], n, c)(n+1,:);
+endfunction
+
+%!test # there and back, and the same motion as the rates of the state
+%! scene = setfield (setfield (paper (), "model", "modes", [2 3]), "rod", "damping", 1e-4);
+%! scene.rod.half_height = 0.1; scene.rod.lambda = 1e8; scene.rod.mu = 1e8;
+%! scene = check_scene (scene);
+%! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
+%! y = [0.01*[1 -2 3 4 -5].'; 0.4; [1 2 -3 -4 5].'/10; 30; 0; 0];
+%! z = system.accelerations.form (y);
+%! assert (system.accelerations.state (z), y, 1e-12);
+%! h = 1e-6;
+%! z_dot = system.accelerations.rate (0.1, z, [0 0.3]);
+%! moved = (system.accelerations.state (z + h*z_dot) - system.accelerations.state (z - h*z_dot))/(2*h);
+%! y_dot = system.rate (0.1, y, [0 0.3]);
+%! assert (moved, y_dot, 1e-7*norm (y_dot));

@@ -1,0 +1,55 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_lsode (@var{formulas}, @var{system}, @var{times}, @var{y}, @var{solver})
+## LSODE (Hindmarsh, 1983) with the @var{formulas} of Adams ("adams", order up to 12) or backward differences ("bdf", up
+## to 5), through all @var{times} (1-by-m, s) from the state @var{y}, with @var{solver}.tolerance in units of the state's
+## scale; with @var{solver}.step all steps have that length and the order is @var{solver}.order, whatever their error.  @var{steps} is not known: NaN.
+## @end deftypefn
+
+function [states, steps] = integrate_lsode (formulas, system, times, y, solver)
+  steps = NaN;
+  kept = lsode_settings ();
+  unwind_protect
+    lsode_options ("integration method", formulas);
+    lsode_options ("step limit", 1e6);
+    lsode_options ("relative tolerance", max (solver.tolerance, 100*eps));
+    lsode_options ("absolute tolerance", max (solver.tolerance*system.state_scale, realmin));
+    if (isfield (solver, "step") && ! isempty (solver.step))
+      lsode_options ("relative tolerance", 1e10);
+      lsode_options ("maximum order", solver.order);
+      cellfun (@(name) lsode_options (name, solver.step), {"initial step size", "minimum step size", "maximum step size"});
+    endif
+    [states, state, message] = lsode (@(y, t) system.rate (t, y), y, times, times(end));
+  unwind_protect_cleanup
+    cellfun (@lsode_options, kept(:,1), kept(:,2));
+  end_unwind_protect
+  finite = all (isfinite (states), 2);
+  if (state != 2 || ! all (finite))
+    reached = times(find ([true; any(diff (states(finite,:)), 2)], 1, "last"));
+    causes = struct ("c1", "its step limit was reached", "c4", "its steps shrank to nothing", ...
+                     "c5", "its Newton iteration did not converge");
+    cause = strtrim (message);
+    if (isfield (causes, sprintf ("c%d", -state)))
+      cause = causes.(sprintf ("c%d", -state));
+    endif
+    stop_integration (["lsode_" formulas], system, reached, times(end), NaN, cause, ...
+                      sprintf ("a larger tolerance than %.2g m", solver.tolerance));
+  endif
+  states = states.';
+endfunction
+
+function settings = lsode_settings ()
+  names = {"integration method"; "step limit"; "relative tolerance"; "absolute tolerance"; "maximum order"; ...
+           "initial step size"; "minimum step size"; "maximum step size"};
+  settings = [names, cellfun(@(name) lsode_options (name), names, "uniformoutput", false)];
+endfunction
+
+%!test # an oscillation by both, to ten times the tolerance, and the user's settings come back
+%! before = lsode_options ("relative tolerance");
+%! system = struct ("mass", 1, "stiffness", 1, "state_scale", [1; 1], "rate", @(t, y) [y(2); -y(1)]);
+%! for formulas = {"adams", "bdf"}
+%!   states = integrate_lsode (formulas{1}, system, [0 1 2], [1; 0], struct ("tolerance", 1e-8));
+%!   assert (states(1,:), cos (0:2), 1e-6);
+%! endfor
+%! assert (lsode_options ("relative tolerance"), before);
+%!error <lsode_bdf stopped at t = \d[.0-9]* s of 2 s: its>
+%! integrate_lsode ("bdf", struct ("mass", 1, "stiffness", 0, "state_scale", 1, "rate", @(t, y) y^2), 0:0.5:2, 1, struct ("tolerance", 1e-8));
