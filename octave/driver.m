@@ -24,10 +24,17 @@ function result = driver (scene = "paper", varargin)
   endif
   scene.solver.tolerance = tolerance_in_metres (scene);
 
-  [model, choice] = model_of_scene (scene);
-  announce (choice);
-  cellfun (@(text) printf ("warning: %s\n", text), spin_warning (scene, model));
-  [history, count] = run_model (scene, model, choice);
+  try
+    [model, choice] = model_of_scene (scene);
+    announce (choice);
+    cellfun (@(text) printf ("warning: %s\n", text), spin_warning (scene, model));
+    [history, count] = run_model (scene, model, choice);
+  catch err
+    if (strcmp (err.identifier, "toolchain:integration") && ! isempty (folder))
+      record_failure (folder, name, scene, err.message);
+    endif
+    rethrow (err);
+  end_try_catch
   summary = summarise (name, scene, model, choice, count, history);
 
   if (! isempty (folder))

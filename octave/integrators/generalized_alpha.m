@@ -49,6 +49,9 @@ function [z, converged] = step (t, z, c, rate)
     size = max (abs (change)/max (abs (next)));
     if (size <= 1e-12 || (size <= 1e-9 && size >= last))  # as near as rounding lets it
       break;
+    elseif (sweep > 3 && ! (size < 1))  # it diverges
+      sweep = 30;
+      break;
     endif
     last = size;
   endfor

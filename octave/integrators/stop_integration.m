@@ -18,7 +18,7 @@ function stop_integration (method, system, t, last_time, h, what, remedy)
     text = sprintf ("%s where the method is stable below %.4g", text, limit);
     remedy = sprintf ("steps below %.2g s, %s", limit/omega, remedy);
   endif
-  scene_error ("%s; try %s, fewer modes or another solver", text, remedy);
+  error ("toolchain:integration", "%s; try %s, fewer modes or another solver\n", text, remedy);
 endfunction
 
 %!error <rk4 stopped at t = 0.5 s of 2 s: no number: a step of 0.1 s times the highest frequency, 100 rad/s, is 10 where the method is stable below 2.828; try steps below 0.028 s, rest,>

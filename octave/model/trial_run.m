@@ -14,11 +14,12 @@ function trial = trial_run (scene, rung)
     system = rod_system (scene, trial.model);
     [states, count] = integrate (system, times, struct ("name", "auto", "tolerance", scene.solver.tolerance/5));
     trial.history = measure (system, trial.model, times, states);
+    watch_balance (trial.history, system, count);
     [trial.x, trial.y] = centreline (trial.model, stations, trial.history, 1);
     trial.count = count;
     trial.calls = count.calls;
   catch err
-    if (! strcmp (err.identifier, "toolchain:scene"))
+    if (! strcmp (err.identifier, "toolchain:integration"))
       rethrow (err);
     endif
     trial.error = strtrim (err.message);

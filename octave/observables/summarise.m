@@ -30,19 +30,13 @@ function summary = summarise (name, scene, model, choice, count, history)
   summary.steps = count.steps;
   summary.rate_calls = count.calls;
   summary.frames = numel (history.t);
-  summary.largest_energy_error = largest_energy_error (history);
+  summary.largest_energy_error = max (energy_error (history));
   summary.warnings = [choice.warnings, energy_warning(summary.largest_energy_error), ...
                       error_warning(summary), validity_warnings(scene, model, history)];
 endfunction
 
 function modes = mode_numbers (rung)
   modes = [rung.longitudinal, rung.bending];
-endfunction
-
-## of the balance T + U + Z + D - W, as a part of the largest energy
-function relative = largest_energy_error (history)
-  largest = max (abs ([history.T, history.U, history.Z - history.Z(1), history.W]));
-  relative = max (abs (history.balance - history.balance(1)))/max (largest, realmin);
 endfunction
 
 function warnings = energy_warning (relative)

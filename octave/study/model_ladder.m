@@ -20,7 +20,7 @@ function table = model_ladder (scene = "paper", varargin)
 
   table = struct ([]);
   chosen = choice.trial.rung;
-  for rung = ladder (chosen, choice.reference.rung)
+  for rung = ladder_rungs (chosen, choice.reference.rung)
     trial = trial_run (scene, rung{1});
     table = add (table, row_of (trial.rung, trial.count.method, distance (trial, reference), trial.count.seconds, trial.calls, chosen));
   endfor
@@ -30,20 +30,6 @@ function table = model_ladder (scene = "paper", varargin)
   endfor
   publish_run (folder, {"models.csv", "models.svg", "models.png"}, @(aside) write_ladder (table, scene, aside));
   printf ("%s/ has models.csv, models.svg, models.png\n", folder);
-endfunction
-
-## as many bending modes as the richer rung has, with and without foreshortening; then the treatments of longitudinal modes
-function rungs = ladder (chosen, richer)
-  rungs = {};
-  for n = unique ([0:min(8, richer.bending), chosen.bending, richer.bending])
-    for stiffening = {"none", "foreshortening"}(1:1 + (n > 0))
-      rungs{end+1} = struct ("sines", [], "bending", n, "longitudinal", 0, "axial", "none", "stiffening", stiffening{1});
-    endfor
-  endfor
-  with = @(axial, n) setfield (setfield (chosen, "axial", axial), "longitudinal", n);
-  rungs = [rungs, {with("quasistatic", 0), with("dynamic", 1), with("dynamic", 3), chosen, richer}];
-  [~, first] = unique (cellfun (@rung_name, rungs, "uniformoutput", false), "first");
-  rungs = rungs(sort (first));
 endfunction
 
 function row = run_ode45 (scene, rung, reference, chosen)
@@ -72,19 +58,7 @@ endfunction
 
 function row = row_of (rung, method, error_m, seconds, calls, chosen)
   row = struct ("model", rung_name (rung), "method", method, "error_m", error_m, "seconds", seconds, "calls", calls, ...
-                "label", label_of (rung), "stiffening", rung.stiffening, "chosen", isequal (rung, chosen), "extrapolated", false);
-endfunction
-
-## bending modes, with q where longitudinal ones are quasi-static, + their number where they are dynamic
-function label = label_of (rung)
-  label = sprintf ("%d", rung.bending);
-  if (! isempty (rung.sines))
-    label = sprintf ("%d + %d sines", rung.sines);
-  elseif (strcmp (rung.axial, "quasistatic"))
-    label = [label "q"];
-  elseif (strcmp (rung.axial, "dynamic"))
-    label = sprintf ("%s+%d", label, rung.longitudinal);
-  endif
+                "label", rung_label (rung), "stiffening", rung.stiffening, "chosen", isequal (rung, chosen), "extrapolated", false);
 endfunction
 
 function table = add (table, row)
