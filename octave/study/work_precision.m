@@ -1,0 +1,134 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{table} =} work_precision (@var{scene}, @var{option}, @var{value}, @dots{})
+## The work-precision diagram of all integrators on a scene with the paper's sines (7 + 7 without the option "modes"):
+## the errors of tip and hinge angle over all frames against seconds (medians) and calls of the rate, and the ladder of
+## models beside them.  Arguments as for @code{driver}.
+##
+## The reference is `waveform' at 1e-10 m, and `exponential' has to agree with it to 1e-10.  What would take more than
+## 20 s (but for ode45 at 1e-6 m) is run on a part of the duration, with its error there: extrapolated.  The literal equations, the paper's way, have
+## the calls of ode45 at the price of a literal call.  Leaves chart.csv, chart.svg and chart.png; @var{table} is a struct array of
+## method, parameter (tolerance in m, or step in s), tip_error, phi_error (m, rad), seconds, calls, extrapolated, failure.
+## @end deftypefn
+
+function table = work_precision (scene = "paper", varargin)
+  [scene, name] = load_scene (scene);
+  [scene, folder] = take_options (scene, fullfile ("output", name), varargin);
+  scene = check_scene (scene);
+  ladder = ladder_of (scene);
+  if (ischar (scene.model.modes))
+    scene.model.modes = [7 7];
+  endif
+  model = build_model (scene, rung_of_scene (scene));
+  system = rod_system (scene, model);
+  reference = reference_run (scene, model, system);
+
+  table = struct ([]);
+  whole = @(method, parameter) strcmp (method.name, "ode45") && parameter == 1e-6;  # what all others are measured by
+  for method = integrator_table ()
+    parameters = 10.^(-2:-1:-9);
+    if (! method.adaptive)
+      parameters = 10.^(-2:-0.5:-6);
+    endif
+    for parameter = parameters
+      row = point (scene, model, system, method, parameter, reference, 20/(1 - whole (method, parameter)));
+      table = [table, row];
+      report (row);
+      if (! isfinite (row.seconds) || (row.extrapolated && parameter < 2e-6))
+        break;
+      endif
+    endfor
+  endfor
+  table = [table, literal_rows(scene, table)];
+  publish_run (folder, {"chart.csv", "chart.svg", "chart.png"}, @(aside) write_chart (table, ladder, scene, aside));
+  printf ("%s/ has chart.csv, chart.svg, chart.png\n", folder);
+endfunction
+
+function reference = reference_run (scene, model, system)
+  times = frame_times (scene);
+  at = @(name, tolerance) measure (system, model, times, integrate (system, times, struct ("name", name, "tolerance", tolerance)));
+  [reference, other] = deal (at ("waveform", 1e-10), at ("exponential", 3e-11));
+  [tip, phi] = errors (other, reference);
+  printf ("  reference: waveform and exponential differ by %.2g m and %.2g rad\n", tip, phi);
+  if (max (tip, phi) > 1e-10)
+    printf ("warning: the reference is good to %.1g only\n", max (tip, phi));
+  endif
+endfunction
+
+## of the tip and of the hinge angle, over the frames that a run has
+function [tip, phi] = errors (history, reference)
+  k = 1:numel (history.t);
+  tip = max (hypot (history.tip_x - reference.tip_x(k), history.tip_y - reference.tip_y(k)));
+  phi = max (abs (history.phi - reference.phi(k)));
+endfunction
+
+function row = point (scene, model, system, method, parameter, reference, budget)
+  solver = struct ("name", method.name, "tolerance", parameter, "step", [], "rho_infinity", scene.solver.rho_infinity);
+  if (! method.adaptive)
+    solver.step = parameter;
+  endif
+  row = struct ("method", method.name, "parameter", parameter, "tip_error", NaN, "phi_error", NaN, "seconds", 0, ...
+                "calls", 0, "extrapolated", false, "failure", "");
+  times = frame_times (scene);
+  first = find (times > times(end)*0.02, 1);
+  start = tic ();
+  try
+    [~, trial] = integrate (system, times(1:first), solver);
+    part = numel (times);
+    if (trial.seconds*times(end)/times(first) > budget)
+      part = find (times <= times(end)*budget/(trial.seconds*times(end)/times(first)), 1, "last");
+      part = max (part, first);
+    endif
+    [states, count] = integrate (system, times(1:part), solver);
+    for repeat = 1:2*(count.seconds < 1)
+      [~, again] = integrate (system, times(1:part), solver);
+      count.seconds(end+1) = again.seconds;
+    endfor
+    history = measure (system, model, times(1:part), states);
+    [row.tip_error, row.phi_error] = errors (history, reference);
+    row.seconds = median (count.seconds)*times(end)/times(part);
+    row.calls = round (count.calls*times(end)/times(part));
+    row.extrapolated = part < numel (times);
+    watch_balance (history, system, count);
+  catch err
+    if (! strcmp (err.identifier, "toolchain:integration"))
+      rethrow (err);
+    endif
+    row.failure = strtrim (err.message);
+    row.seconds = max (row.seconds, toc (start));
+  end_try_catch
+endfunction
+
+## the calls of ode45 on the same equations, at the price of a literal call
+function rows = literal_rows (scene, table)
+  rows = table(strcmp ({table.method}, "ode45"));
+  if (! isequal (scene.model.modes(:).', [7 7]) || isempty (rows))
+    rows = rows([]);
+    return;
+  endif
+  seconds = call_times ();
+  for k = 1:numel (rows)
+    rows(k).method = "literal ode45";
+    rows(k).seconds *= seconds(2)/seconds(1);
+    rows(k).extrapolated = true;
+  endfor
+endfunction
+
+function report (row)
+  printf ("  %-18s %-7.2g tip %8.2g m, phi %8.2g rad, %8.2f s, %9d calls%s %s\n", row.method, row.parameter, row.tip_error, ...
+          row.phi_error, row.seconds, row.calls, {"", " (extrapolated)"}{1 + row.extrapolated}, row.failure);
+  fflush (stdout);
+endfunction
+
+function rows = ladder_of (scene)
+  scene.solver.tolerance = tolerance_in_metres (scene);
+  scene.model.modes = "auto";
+  choice = choose_model (scene);
+  rows = struct ([]);
+  for rung = ladder_rungs (choice.trial.rung, choice.reference.rung)
+    trial = trial_run (scene, rung{1});
+    rows = [rows, struct("label", rung_label (rung{1}), "error_m", distance (trial, choice.reference), ...
+                         "seconds", trial.seconds, "chosen", isequal (rung{1}, choice.trial.rung))];
+  endfor
+endfunction
+
+%!error <model.modes is "many": it takes> work_precision ("paper", "modes", "many")
