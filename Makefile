@@ -9,7 +9,7 @@ VERSION = 1.0
 export SCENE MODES SOLVER TOLERANCE OUTPUT OCTAVE
 run_octave = $(OCTAVE) --no-gui --no-history --quiet
 
-.PHONY: help setup derive equations simulate models chart choices check fuzz clean dist
+.PHONY: help setup derive equations simulate models chart stability choices check fuzz clean dist
 
 help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
@@ -19,6 +19,7 @@ help:
 	@echo 'make equations   write the derived energies and equations of motion as output/equations.tex [MODES="2 2"]'
 	@echo 'make check       run all tests'
 	@echo 'make chart       error against seconds and calls of all integrators: table and chart [MODES="7 7"]'
+	@echo 'make stability   where integrators and model turn unstable, predicted and measured: table and chart'
 	@echo 'make choices     all scenes and 20 random ones: the chosen models against 30 + 30 modes'
 	@echo 'make fuzz        more of the random round trip [N=10000 SEED=1]'
 	@echo 'make dist        an archive of the sources'
@@ -41,6 +42,9 @@ models:
 
 chart:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @work_precision; run_command'
+
+stability:
+	@$(run_octave) --eval 'source octave/toolchain_path.m; stability ();'
 
 choices:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; verify_choices (shipped_and_random (20))'

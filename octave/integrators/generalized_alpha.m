@@ -46,7 +46,7 @@ function [z, converged] = step (t, z, c, rate)
     there = rate (t + h, [new_x; new_v; rest]);
     change = c.iteration*(there(n+1:2*n) - next);
     next += change;
-    size = max (abs (change)/max (abs (next)));
+    size = max (abs (change)/max ([abs(next); realmin]));
     if (size <= 1e-12 || (size <= 1e-9 && size >= last))  # as near as rounding lets it
       break;
     elseif (sweep > 3 && ! (size < 1))  # it diverges

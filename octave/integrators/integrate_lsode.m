@@ -15,6 +15,7 @@ function [states, steps] = integrate_lsode (formulas, system, times, y, solver)
     lsode_options ("absolute tolerance", max (solver.tolerance*system.state_scale, realmin));
     if (isfield (solver, "step") && ! isempty (solver.step))
       lsode_options ("relative tolerance", 1e10);
+      lsode_options ("absolute tolerance", 1e10*system.state_scale);
       lsode_options ("maximum order", solver.order);
       cellfun (@(name) lsode_options (name, solver.step), {"initial step size", "minimum step size", "maximum step size"});
     endif
