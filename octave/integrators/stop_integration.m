@@ -1,11 +1,14 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} stop_integration (@var{method}, @var{system}, @var{t}, @var{last_time}, @var{h}, @var{what}, @var{remedy})
-## The error of an integration by @var{method} that cannot go on from the time @var{t} (s) of @var{last_time}: @var{what}
+## The error of an integration by @var{method} that cannot go on from the time @var{t} (s) of @var{last_time} (or system.duration): @var{what}
 ## happened, with the step @var{h} (s, NaN: not known), the highest frequency of the linear system and the method's limit of stability,
 ## if it has one (see @code{stability_limit}), and what to try.
 ## @end deftypefn
 
 function stop_integration (method, system, t, last_time, h, what, remedy)
+  if (isfield (system, "duration"))
+    last_time = system.duration;  # of the whole motion, not of the part to the next break
+  endif
   omega = highest_frequency (system);
   limit = stability_limit (method);
   text = sprintf ("%s stopped at t = %.6g s of %g s: %s: ", method, t, last_time, what);
