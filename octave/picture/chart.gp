@@ -43,6 +43,7 @@ do for [kind in "svg png"] {
   unset key
   set lmargin at screen 0.785
   set rmargin at screen 0.985
+  set bmargin at screen 0.6
   set autoscale y
   set offsets graph 0.05, graph 0.15, graph 0.1, graph 0.05
   set xlabel "seconds, models of the ladder"
@@ -50,6 +51,14 @@ do for [kind in "svg png"] {
   plot $ladder using 1:2 with points pt 7 ps 0.8 lc rgb "#1f77b4" notitle, \
        "" using 1:2:3 with labels left rotate by 40 offset 0.4,0.4 font ",10" noenhanced notitle, \
        $chosen using 1:2 with points pt 6 ps 2.4 lw 2 lc rgb "#000000" notitle
+  set tmargin at screen 0.46
+  set bmargin at screen 0.15
+  set offsets graph 0.05, graph 0.05, graph 0.1, graph 0.1
+  set key top left
+  set format x "%g"
+  set xlabel "N + N modes"
+  set ylabel "s per simulated s"
+  plot $cost using 1:2 with linespoints pt 7 lw 2 lc rgb "#1f77b4" title "waveform, 1e-6 m", cost_low*(x/2)**2 with lines dt 2 lc rgb "#606060" title "N²"
   unset multiplot
   unset output
   reset

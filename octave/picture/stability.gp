@@ -35,7 +35,7 @@ do for [kind in "svg png"] {
   set xrange [0:1.05]
   set yrange [0:1.05]
   set key top left
-  plot x dt 2 title "ρ_∞", $damping using 1:2 with points pt 7 ps 1.2 title "measured"
+  plot x dt 2 title "predicted", $damping using 1:2 with points pt 7 ps 1.2 title "measured"
   set autoscale
 
   set title "trigonometric steps: resonances at h ω = k π"
@@ -45,7 +45,7 @@ do for [kind in "svg png"] {
   set format y "10^{%L}"
   set key bottom right
   do for [k = 1:3] { set arrow k from first k*pi, graph 0 to first k*pi, graph 1 nohead dt 3 lc rgb "#606060" }
-  plot $resonances using 1:2 with linespoints lw 2 pt 7 ps 0.6 title "largest deviation over 300 steps"
+  plot $resonances using 1:2 with linespoints lw 2 pt 7 ps 0.6 title "largest deviation over 1257 steps"
   do for [k = 1:3] { unset arrow k }
   unset logscale
   set format y "%g"
@@ -54,9 +54,9 @@ do for [kind in "svg png"] {
   set xlabel "periods of free bending"
   set ylabel "E/E_0 - 1"
   set format x "%g"
-  plot $trigonometric using 1:2 with dots lw 3 notitle
+  plot $trigonometric using 1:2 with points pt 7 ps 0.15 notitle
   set title "energy, h ω = 0.5"
-  plot $stormer_verlet using 1:2 with dots lw 3 title "stormer_verlet", $implicit_midpoint using 1:2 with dots lw 3 title "implicit_midpoint"
+  plot $stormer_verlet using 1:2 with points pt 7 ps 0.15 title "stormer_verlet", $implicit_midpoint using 1:2 with points pt 7 ps 0.15 title "implicit_midpoint"
   unset multiplot
   unset output
   reset

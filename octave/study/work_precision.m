@@ -2,11 +2,11 @@
 ## @deftypefn {} {@var{table} =} work_precision (@var{scene}, @var{option}, @var{value}, @dots{})
 ## The work-precision diagram of all integrators on a scene with the paper's sines (7 + 7 without the option "modes"):
 ## the errors of tip and hinge angle over all frames against seconds (medians) and calls of the rate, and the ladder of
-## models beside them.  Arguments as for @code{driver}.
+## models and the cost against the number of modes beside them.  Arguments as for @code{driver}.
 ##
 ## The reference is `waveform' at 1e-10 m, and `exponential' has to agree with it to 1e-10.  What would take more than
 ## 20 s (but for ode45 at 1e-6 m) is run on a part of the duration, with its error there: extrapolated.  The literal equations, the paper's way, have
-## the calls of ode45 at the price of a literal call.  Leaves chart.csv, chart.svg and chart.png; @var{table} is a struct array of
+## the calls of ode45 at the price of a literal call.  Leaves chart.csv, cost.csv (of @code{cost_of_size}), chart.svg and chart.png; @var{table} is a struct array of
 ## method, parameter (tolerance in m, or step in s), tip_error, phi_error (m, rad), seconds, calls, extrapolated, failure.
 ## @end deftypefn
 
@@ -22,6 +22,7 @@ function table = work_precision (scene = "paper", varargin)
   system = rod_system (scene, model);
   reference = reference_run (scene, model, system);
 
+  cost = cost_of_size (2.^(1:6));
   table = struct ([]);
   whole = @(method, parameter) strcmp (method.name, "ode45") && parameter == 1e-6;  # what all others are measured by
   for method = integrator_table ()
@@ -39,8 +40,9 @@ function table = work_precision (scene = "paper", varargin)
     endfor
   endfor
   table = [table, literal_rows(scene, table)];
-  publish_run (folder, {"chart.csv", "chart.svg", "chart.png"}, @(aside) write_chart (table, ladder, scene, aside));
-  printf ("%s/ has chart.csv, chart.svg, chart.png\n", folder);
+  publish_run (folder, {"chart.csv", "cost.csv", "chart.svg", "chart.png"}, ...
+               @(aside) write_chart (table, ladder, cost, scene, aside));
+  printf ("%s/ has chart.csv, cost.csv, chart.svg, chart.png\n", folder);
 endfunction
 
 function reference = reference_run (scene, model, system)

@@ -1,21 +1,24 @@
 ## -*- texinfo -*-
-## @deftypefn {} {} write_chart (@var{table}, @var{ladder}, @var{scene}, @var{folder})
-## The @var{table} of @code{work_precision} as chart.csv, and with the @var{ladder} of models as chart.svg and chart.png.
+## @deftypefn {} {} write_chart (@var{table}, @var{ladder}, @var{cost}, @var{scene}, @var{folder})
+## The @var{table} of @code{work_precision} as chart.csv, and with the @var{ladder} of models and the @var{cost} of
+## @code{cost_of_size} as chart.svg and chart.png; the cost as cost.csv.
 ## @end deftypefn
 
-function write_chart (table, ladder, scene, folder)
+function write_chart (table, ladder, cost, scene, folder)
   lines = {"method,tolerance [m] or step [s],tip error [m],phi error [rad],seconds [s],calls,extrapolated,failure"};
   for row = table
     lines{end+1} = sprintf ("%s,%.17g,%.17g,%.17g,%.17g,%d,%d,\"%s\"", row.method, row.parameter, row.tip_error, ...
                             row.phi_error, row.seconds, row.calls, row.extrapolated, row.failure);
   endfor
   write_text (fullfile (folder, "chart.csv"), [strjoin(lines, "\n") "\n"]);
+  write_text (fullfile (folder, "cost.csv"), ["modes N + N,seconds per simulated second,calls per simulated second\n", ...
+                                              sprintf("%d,%.17g,%.17g\n", cost.')]);
 
   scratch = fullfile (folder, "scratch");
   mkdir (scratch);
   methods = unique ({table.method}, "stable");
   text = gnuplot_settings (struct ("title", sprintf ("%s, %d + %d sines", scene.title, scene.model.modes), ...
-                                   "methods", strjoin (strrep (methods, " ", "-"), " ")));
+                                   "methods", strjoin (strrep (methods, " ", "-"), " "), "cost_low", cost(1,2)));
   for k = 1:numel (methods)
     of_method = table(strcmp ({table.method}, methods{k}));
     failed = ! cellfun (@isempty, {of_method.failure});
@@ -24,7 +27,7 @@ function write_chart (table, ladder, scene, folder)
   endfor
   rows = ladder([ladder.error_m] > 0 & isfinite ([ladder.error_m]));
   chosen = rows([rows.chosen]);
-  write_text (fullfile (scratch, "settings.gp"), [text, ladder_block("ladder", rows), ladder_block("chosen", chosen)]);
+  write_text (fullfile (scratch, "settings.gp"), [text, gnuplot_block("cost", {cost}), ladder_block("ladder", rows), ladder_block("chosen", chosen)]);
   run_gnuplot (scratch, "chart.gp");
   confirm_recursive_rmdir (false, "local");
   rmdir (scratch, "s");
@@ -57,8 +60,8 @@ endfunction
 %!   row = struct ("method", "rk4", "parameter", {1e-3 1e-4 1e-5}, "tip_error", {1e-3 1e-5 NaN}, "phi_error", {1e-4 1e-5 NaN}, ...
 %!                 "seconds", {1 2 3}, "calls", {10 20 30}, "extrapolated", {false true false}, "failure", {"", "", "rk4 stopped"});
 %!   ladder = struct ("label", "3", "error_m", 1e-3, "seconds", 2, "chosen", true);
-%!   write_chart (row, ladder, struct ("title", "rod", "model", struct ("modes", [7 7])), folder);
-%!   assert (sort ({dir(folder).name}), {".", "..", "chart.csv", "chart.png", "chart.svg"});
+%!   write_chart (row, ladder, [2 0.1 100; 4 0.3 200], struct ("title", "rod", "model", struct ("modes", [7 7])), folder);
+%!   assert (sort ({dir(folder).name}), {".", "..", "chart.csv", "chart.png", "chart.svg", "cost.csv"});
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");
 %! end_unwind_protect
