@@ -48,7 +48,7 @@ endfunction
 function reference = reference_run (scene, model, system)
   times = frame_times (scene);
   at = @(name, tolerance) measure (system, model, times, integrate (system, times, struct ("name", name, "tolerance", tolerance)));
-  [reference, other] = deal (at ("waveform", 1e-10), at ("exponential", 3e-11));
+  [reference, other] = deal (at ("waveform", 1e-10), at ("exponential", 2e-11));
   [tip, phi] = errors (other, reference);
   printf ("  reference: waveform and exponential differ by %.2g m and %.2g rad\n", tip, phi);
   if (max (tip, phi) > 1e-10)
