@@ -11,15 +11,22 @@ function [states, steps] = integrate_ode15s (system, times, y, solver)
   options = odeset ("RelTol", max (solver.tolerance, 100*eps), "AbsTol", max (solver.tolerance*system.state_scale, realmin), ...
                     "InitialSlope", system.rate (times(1), y), "MaxStep", times(end) - times(1));
   warning_state = warning ("off", "all");
-  unwind_protect
+  cause = "its Newton iteration did not converge";
+  try
     [t, states] = ode15s (system.rate, requested, y, options);
-  unwind_protect_cleanup
+  catch err
     warning (warning_state);
-  end_unwind_protect
+    if (isempty (strfind (err.message, "IDA")))
+      rethrow (err);
+    endif
+    [t, states] = deal (times(1), y.');
+    cause = "IDA gave up, at its step limit or at its smallest step";
+  end_try_catch
+  warning (warning_state);
   finite = all (isfinite (states), 2);
   if (t(end) < times(end) || ! all (finite))
     reached = max ([t(finite); times(1)]);
-    stop_integration ("ode15s", system, reached, times(end), NaN, "its Newton iteration did not converge", ...
+    stop_integration ("ode15s", system, reached, times(end), NaN, cause, ...
                       sprintf ("a larger tolerance than %.2g m", solver.tolerance));
   endif
   states = states(ismember (requested, times),:).';
@@ -30,3 +37,5 @@ endfunction
 %! states = integrate_ode15s (system, [0 1 2], [1; 0], struct ("tolerance", 1e-8));
 %! roots = -50 + [1 -1]*sqrt (2499);
 %! assert (states(1,3), (roots(1)*exp (2*roots(2)) - roots(2)*exp (2*roots(1)))/diff (-roots), 1e-5);
+%!error <ode15s stopped at t = 0 s of 2 s: I(DA gave|ts Newton)>
+%! integrate_ode15s (struct ("mass", 1, "stiffness", 0, "state_scale", 1, "rate", @(t, y) y^2), [0 1 2], 1, struct ("tolerance", 1e-8));

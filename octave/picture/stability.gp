@@ -45,7 +45,7 @@ do for [kind in "svg png"] {
   set format y "10^{%L}"
   set key bottom right
   do for [k = 1:3] { set arrow k from first k*pi, graph 0 to first k*pi, graph 1 nohead dt 3 lc rgb "#606060" }
-  plot $resonances using 1:2 with linespoints lw 2 pt 7 ps 0.6 title "largest deviation over 1257 steps"
+  plot $resonances using 1:2 with linespoints lw 2 pt 7 ps 0.6 title "largest deviation over 1000 steps"
   do for [k = 1:3] { unset arrow k }
   unset logscale
   set format y "%g"
@@ -55,6 +55,7 @@ do for [kind in "svg png"] {
   set ylabel "E/E_0 - 1"
   set format x "%g"
   plot $trigonometric using 1:2 with points pt 7 ps 0.15 notitle
+  set key at graph 0.98,0.93 right opaque
   set title "energy, h ω = 0.5"
   plot $stormer_verlet using 1:2 with points pt 7 ps 0.15 title "stormer_verlet", $implicit_midpoint using 1:2 with points pt 7 ps 0.15 title "implicit_midpoint"
   unset multiplot

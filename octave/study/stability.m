@@ -67,8 +67,9 @@ function factor = beyond (method, h_omega)
   endif
 endfunction
 
+## a step from each of the 1001 times to the next
 function rows = resonances (h_omegas)
-  rows = [h_omegas; arrayfun(@(h) long_energy ("trigonometric", h, 200*h).amplitude, h_omegas)].';
+  rows = [h_omegas; arrayfun(@(h) long_energy ("trigonometric", h, 1000*h/(2*pi)).amplitude, h_omegas)].';
 endfunction
 
 function h_omega = peak_near (rows, centre)
