@@ -18,7 +18,7 @@ function [states, steps] = integrate_waveform (system, times, y, solver)
   scale = solver.tolerance*[system.state_scale(1:n); 100*system.state_scale(2*n+1:end)];  # what only follows may be off by more
   states = repmat (y, 1, numel (times));
   [t, last_time] = deal (times(1), times(end));
-  [h, most, steps, modal] = deal ((last_time - t)/16, 2, 0, []);
+  [h, most, steps, modal] = deal ((last_time - t)/100, 8, 0, []);
   while (t < last_time)
     if (isempty (modal))
       modal = modal_form (system, system.stiffness_at (t, y));

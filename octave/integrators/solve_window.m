@@ -37,14 +37,15 @@ function window = solve_window (modal, t, z, h, panels, panel, scale)
   window.error = size_of (defect_of (modal, remainder(:,of_panel(:)), h, panels, panel.defect));
 endfunction
 
-## each panel begins where the last one ended
+## each panel begins where the last one ended, by doubling
 function starts = chained (free, z, forced)
-  free = full (free);
   starts = [z, forced];
-  for k = 2:columns (starts)
-    z = free*z + forced(:,k-1);
-    starts(:,k) = z;
-  endfor
+  reach = 1;
+  while (reach < columns (starts))
+    starts(:,reach+1:end) += free*starts(:,1:end-reach);
+    free *= free;
+    reach *= 2;
+  endwhile
 endfunction
 
 ## m: what the coordinates are off by

@@ -3,7 +3,7 @@ set logscale xy
 set format x "10^{%L}"
 set format y "10^{%L}"
 set grid
-shape(k) = int (substr ("070509111315060408101214", 2*((k - 1) % 12) + 1, 2*((k - 1) % 12) + 2))
+shape(k) = int (word ("7 5 9 11 13 15 6 4 8 10 12 14", (k - 1) % 12 + 1))
 colour(k) = int (word ("0x1f77b4 0xd62728 0x2ca02c 0xff7f0e 0x9467bd 0x8c564b 0xe377c2 0x7f7f7f 0xbcbd22 0x17becf 0x000000 0x004488 0xaa3377 0x999933", k))
 curve(k, x) = sprintf (", $curve_%d using %d:3 with linespoints pt %d ps 0.7 lc rgb %d title '%s'", k, x, shape (k), colour (k), word (methods, k)). \
   sprintf (", $part_%d using %d:3 with points pt 6 ps 1.8 lc rgb %d notitle", k, x, colour (k)). \
