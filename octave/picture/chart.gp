@@ -54,7 +54,8 @@ do for [kind in "svg png"] {
   set tmargin at screen 0.46
   set bmargin at screen 0.15
   set offsets graph 0.05, graph 0.05, graph 0.1, graph 0.1
-  set key top left
+  set key default
+  set key top left reverse Left
   set format x "%g"
   set xlabel "N + N modes"
   set ylabel "s per simulated s"

@@ -55,7 +55,8 @@ do for [kind in "svg png"] {
   set ylabel "E/E_0 - 1"
   set format x "%g"
   plot $trigonometric using 1:2 with points pt 7 ps 0.15 notitle
-  set key at graph 0.98,0.93 right opaque
+  set key top right
+  set offsets graph 0, graph 0, graph 0.25, graph 0
   set title "energy, h ω = 0.5"
   plot $stormer_verlet using 1:2 with points pt 7 ps 0.15 title "stormer_verlet", $implicit_midpoint using 1:2 with points pt 7 ps 0.15 title "implicit_midpoint"
   unset multiplot

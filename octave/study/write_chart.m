@@ -46,9 +46,13 @@ function text = block (name, rows)
   text = [text, repmat("NaN NaN NaN\n", 1, isempty (rows)), "EOD\n"];
 endfunction
 
+## named are those that no other is both faster and better than
 function text = ladder_block (name, rows)
   text = sprintf ("$%s << EOD\n", name);
   for row = rows
+    if (any ([rows.seconds] < row.seconds & [rows.error_m] < row.error_m))
+      row.label = "";
+    endif
     text = [text, sprintf("%.9g %.9g \"%s\"\n", row.seconds, row.error_m, row.label)];
   endfor
   text = [text, repmat("NaN NaN \"\"\n", 1, isempty (rows)), "EOD\n"];
