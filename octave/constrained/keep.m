@@ -1,0 +1,10 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{states} =} keep (@var{states}, @var{k}, @var{y})
+## The @var{states} (see @code{first_states}) with the state @var{y} in column @var{k}.
+## @end deftypefn
+
+function states = keep (states, k, y)
+  for name = {"q", "v", "lambda", "W", "D"}
+    states.(name{1})(:,k) = y.(name{1});
+  endfor
+endfunction

@@ -1,0 +1,38 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{at} =} marker_motion (@var{mechanism}, @var{q}, @var{v})
+## Where the markers of a @var{mechanism} are and how they move, in the states @var{q}, @var{v} (n-by-k; k times or stages):
+## a struct of x, y, angle, their rates x_dot, y_dot, angle_dot and x_convection, y_convection, angle_convection
+## (accelerations without those of the coordinates; markers-by-k), and parts (derivatives by the coordinates of each marker
+## group's bodies: index (coordinates-by-bodies), numbers, x_q, y_q, angle_q ((coordinates)-by-(bodies k))).
+## @end deftypefn
+
+function at = marker_motion (mechanism, q, v)
+  k = columns (q);
+  blank = zeros (mechanism.marker_count, k);
+  [at.x, at.y, at.angle, at.x_dot, at.y_dot, at.angle_dot] = deal (blank);
+  [at.x_convection, at.y_convection, at.angle_convection] = deal (blank);
+  ground = mechanism.ground;
+  fixed = ones (1, k);
+  at.x(ground.number,:) = ground.x*fixed;
+  at.y(ground.number,:) = ground.y*fixed;
+  at.angle(ground.number,:) = ground.angle*fixed;
+  at.parts = cell (1, numel (mechanism.markers));
+  for g = 1:numel (mechanism.markers)
+    group = mechanism.markers(g);
+    index = mechanism.groups(group.group).index(:,group.columns);
+    [R, bodies] = size (index);
+    n = R - 3;
+    Q = reshape (q(index,:), R, []);
+    Q_dot = reshape (v(index,:), R, []);
+    [x, y, a, x_dot, y_dot, a_dot, x_c, y_c, a_c, x_phi, y_phi, x_V, y_V, a_V] = rod_marker (
+      Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), Q(n+2,:), Q(n+3,:), group.arguments{:});
+    of = @(row) reshape (row, bodies, k);
+    i = group.numbers;
+    [at.x(i,:), at.y(i,:), at.angle(i,:)] = deal (of (x), of (y), of (a));
+    [at.x_dot(i,:), at.y_dot(i,:), at.angle_dot(i,:)] = deal (of (x_dot), of (y_dot), of (a_dot));
+    [at.x_convection(i,:), at.y_convection(i,:), at.angle_convection(i,:)] = deal (of (x_c), of (y_c), of (a_c));
+    [one, none] = deal (ones (1, columns (Q)), zeros (1, columns (Q)));
+    at.parts{g} = struct ("index", index, "numbers", i, "x_q", [x_V; x_phi; one; none], "y_q", [y_V; y_phi; none; one], ...
+                          "angle_q", [a_V; one; none; none]);
+  endfor
+endfunction

@@ -1,0 +1,18 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{F} =} reactions (@var{mechanism}, @var{c}, @var{lambda})
+## What the multipliers @var{lambda} (constraints-by-k) do to the markers, Phi_q' lambda: a struct of x, y, angle
+## (markers-by-k; see @code{forces_of_markers}).  The joints' forces on the bodies are minus that.
+## @end deftypefn
+
+function F = reactions (mechanism, c, lambda)
+  blank = zeros (mechanism.marker_count, columns (lambda));
+  [F.x, F.y, F.angle] = deal (blank);
+  for i = 1:numel (c.gradients)
+    kind = mechanism.constraints.kinds(i);
+    g = c.gradients{i};
+    own = lambda(kind.rows,:);
+    F.x += kind.to_first*(g{1}.*own) + kind.to_second*(g{4}.*own);
+    F.y += kind.to_first*(g{2}.*own) + kind.to_second*(g{5}.*own);
+    F.angle += kind.to_first*(g{3}.*own) + kind.to_second*(g{6}.*own);
+  endfor
+endfunction
