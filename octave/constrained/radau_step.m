@@ -17,7 +17,8 @@ function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, l
   why = "its Newton iteration did not converge";
   for iteration = 1:15
     at = system.at (t + h*rule.c, q, v);
-    [u, a] = deal ((q - y.q)*inverse, (v - y.v)*inverse);
+    u = (q - y.q)*inverse;
+    a = (v - y.v)*inverse;
     residual = [system.inertia(at, u - v) + system.reaction(at, mu)
                 system.inertia(at, a) - at.force + system.reaction(at, lambda)
                 at.constraints.residual*factors.unit/h
@@ -39,11 +40,11 @@ function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, l
   if (iteration == 15)
     return;
   endif
-  [u, a] = deal ((q - y.q)*inverse, (v - y.v)*inverse);
+  a = (v - y.v)*inverse;
   stages = struct ("q", q, "v", v, "lambda", lambda, "h", h, "q_start", y.q, "v_start", y.v);
   error_ratio = embedded_error (rule, factors, mass, y, q - y.q, v - y.v, h, scale);
   weights = rule.A(3,:).';
-  power = at.power - sum (lambda.*at.constraints.rate, 1);
+  power = at.power + sum (lambda.*at.constraints.rate, 1);
   next = struct ("q", q(:,3), "v", v(:,3), "a", a(:,3), "lambda", lambda(:,3), "W", y.W + h*power*weights, ...
                  "D", y.D + h*at.dissipated*weights);
 endfunction
@@ -74,7 +75,7 @@ function factors = factorise (system, rule, mass, jacobian, h)
   factors.h = h;
   for i = 1:2
     g = rule.eigenvalues(i)/h;
-    matrix = [g*mass, -mass, wide.', J.'; system.stiffness, g*mass, J.', wide.'; J/h, wide, none, none; wide, J, none, none];
+    matrix = [g*mass, -mass, wide.', J.'; system.stiffness, g*mass + system.damping_matrix, J.', wide.'; J/h, wide, none, none; wide, J, none, none];
     [factors.L{i}, factors.U{i}, factors.P{i}, factors.Q{i}] = lu (matrix);
   endfor
 endfunction

@@ -61,6 +61,7 @@ function joint = check_joint (joint, what, scene)
   if (numel (joint.point) != 2)
     scene_error ("%s.point has %d numbers: it takes [x y] in m", what, numel (joint.point));
   endif
+  joint.constant = isnumeric (joint.value);
   joint.value = value_function (joint, what, scene);
 endfunction
 

@@ -9,8 +9,9 @@ function forces = forces_of_markers (mechanism, at, F)
   forces = zeros (mechanism.n, k);
   for part = at.parts
     part = part{1};
-    row = @(f) reshape (f(part.numbers,:), 1, []);
-    on_bodies = part.x_q.*row (F.x) + part.y_q.*row (F.y) + part.angle_q.*row (F.angle);
+    i = part.numbers;
+    on_bodies = part.x_q.*reshape (F.x(i,:), 1, []) + part.y_q.*reshape (F.y(i,:), 1, []) ...
+                + part.angle_q.*reshape (F.angle(i,:), 1, []);
     forces(part.index,:) += reshape (on_bodies, [], k);
   endfor
 endfunction

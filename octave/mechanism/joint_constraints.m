@@ -8,11 +8,12 @@
 function c = joint_constraints (mechanism, t, at)
   constraints = mechanism.constraints;
   blank = zeros (constraints.count, columns (at.x));
-  [c.residual, c.rate, c.velocity, c.convection] = deal (blank);
+  c.residual = c.rate = c.velocity = c.convection = blank;
   c.gradients = cell (1, numel (constraints.kinds));
   for i = 1:numel (constraints.kinds)
     kind = constraints.kinds(i);
-    [p, s] = deal (kind.first, kind.second);
+    p = kind.first;
+    s = kind.second;
     motion = {at.x(p,:), at.y(p,:), at.angle(p,:), at.x(s,:), at.y(s,:), at.angle(s,:)};
     rates = {at.x_dot(p,:), at.y_dot(p,:), at.angle_dot(p,:), at.x_dot(s,:), at.y_dot(s,:), at.angle_dot(s,:)};
     convections = {at.x_convection(p,:), at.y_convection(p,:), at.angle_convection(p,:), ...
@@ -36,8 +37,9 @@ endfunction
 
 ## value, value_dot, value_ddot: rows-by-k each
 function values = values_at (functions, kind, t)
-  values = repmat ({zeros(numel (kind.rows), numel (t))}, 1, 3);
-  for r = 1:numel (kind.rows)
+  every = ones (1, numel (t));
+  values = {kind.constant*every, 0*kind.constant*every, 0*kind.constant*every};
+  for r = kind.moving
     for k = 1:numel (t)
       value = functions{kind.joints(r)}(t(k));
       for order = 1:3

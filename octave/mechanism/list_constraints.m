@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{constraints} =} list_constraints (@var{mechanism}, @var{joints})
 ## The scalar constraints of all @var{joints}: a struct of kinds (those of one function at once: form, rows, first, second
-## (markers), offset, joint, component (of the joint's value)), values (the joints' functions of t), names (a constraint
+## (markers), offset, joints, component (of the joint's value), constant (values), moving (rows whose value is a function of time)), values (the joints' functions of t), names (a constraint
 ## each) and count.
 ## @end deftypefn
 
@@ -30,6 +30,10 @@ function constraints = list_constraints (mechanism, joints)
     kind.offset = zeros (numel (j), 1);
     on_rods = arrayfun (@(joint) joint.bodies(2) > 0, joints(j));
     kind.offset(on_rods) = [joints(j(on_rods)).direction];
+    first_values = arrayfun (@(j, component) joints(j).value (0)(1,component), j, kind.component);
+    kind.moving = find (arrayfun (@(j) ! joints(j).constant, j)).';
+    kind.constant = first_values;
+    kind.constant(kind.moving) = 0;
     kind.takes_offset = strcmp (form{1}, "constraint_line");
     kind.to_first = incidence (kind.first, mechanism.marker_count);
     kind.to_second = incidence (kind.second, mechanism.marker_count);

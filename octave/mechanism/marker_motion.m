@@ -9,8 +9,8 @@
 function at = marker_motion (mechanism, q, v)
   k = columns (q);
   blank = zeros (mechanism.marker_count, k);
-  [at.x, at.y, at.angle, at.x_dot, at.y_dot, at.angle_dot] = deal (blank);
-  [at.x_convection, at.y_convection, at.angle_convection] = deal (blank);
+  at.x = at.y = at.angle = at.x_dot = at.y_dot = at.angle_dot = blank;
+  at.x_convection = at.y_convection = at.angle_convection = blank;
   ground = mechanism.ground;
   fixed = ones (1, k);
   at.x(ground.number,:) = ground.x*fixed;
@@ -26,12 +26,18 @@ function at = marker_motion (mechanism, q, v)
     Q_dot = reshape (v(index,:), R, []);
     [x, y, a, x_dot, y_dot, a_dot, x_c, y_c, a_c, x_phi, y_phi, x_V, y_V, a_V] = rod_marker (
       Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), Q(n+2,:), Q(n+3,:), group.arguments{:});
-    of = @(row) reshape (row, bodies, k);
     i = group.numbers;
-    [at.x(i,:), at.y(i,:), at.angle(i,:)] = deal (of (x), of (y), of (a));
-    [at.x_dot(i,:), at.y_dot(i,:), at.angle_dot(i,:)] = deal (of (x_dot), of (y_dot), of (a_dot));
-    [at.x_convection(i,:), at.y_convection(i,:), at.angle_convection(i,:)] = deal (of (x_c), of (y_c), of (a_c));
-    [one, none] = deal (ones (1, columns (Q)), zeros (1, columns (Q)));
+    at.x(i,:) = reshape (x, bodies, k);
+    at.y(i,:) = reshape (y, bodies, k);
+    at.angle(i,:) = reshape (a, bodies, k);
+    at.x_dot(i,:) = reshape (x_dot, bodies, k);
+    at.y_dot(i,:) = reshape (y_dot, bodies, k);
+    at.angle_dot(i,:) = reshape (a_dot, bodies, k);
+    at.x_convection(i,:) = reshape (x_c, bodies, k);
+    at.y_convection(i,:) = reshape (y_c, bodies, k);
+    at.angle_convection(i,:) = reshape (a_c, bodies, k);
+    one = ones (1, columns (Q));
+    none = 0*one;
     at.parts{g} = struct ("index", index, "numbers", i, "x_q", [x_V; x_phi; one; none], "y_q", [y_V; y_phi; none; one], ...
                           "angle_q", [a_V; one; none; none]);
   endfor

@@ -2,7 +2,7 @@
 ## @deftypefn {} {@var{system} =} mechanism_system (@var{scene}, @var{mechanism})
 ## A mechanism as its integrators see it: M (q) q'' + Phi_q' lambda = f (t, q, q'), Phi (t, q) = 0, from L - lambda Phi.
 ##
-## Fields: n, constraint_count, stiffness (n-by-n, constant), duration, breaks, q_scale (m: what each coordinate may be off by where
+## Fields: n, constraint_count, stiffness, damping_matrix (n-by-n, constant), mass (n-by-n, of the bodies as they are made), duration, breaks, q_scale (m: what each coordinate may be off by where
 ## a point is off by 1 m), and, for times t (1-by-k) and states q, v (n-by-k),
 ##
 ## @table @code
@@ -24,15 +24,18 @@ function system = mechanism_system (scene, mechanism)
   system.constraint_count = mechanism.constraints.count;
   system.duration = scene.duration;
   system.breaks = scene.breaks;
-  system.stiffness = sparse (system.n, system.n);
+  system.stiffness = system.damping_matrix = sparse (system.n, system.n);
   system.q_scale = ones (system.n, 1);
   for group = mechanism.groups
     n = rows (group.index) - 3;
     system.q_scale(group.index(n+1,:)) = 1/group.model.length;
     for index = group.index
       system.stiffness(index(1:n),index(1:n)) = group.model.arrays.stiffness_matrix;
+      system.damping_matrix(index(1:n),index(1:n)) = group.model.damping*group.model.arrays.stiffness_matrix;
     endfor
   endfor
+  [q, v] = deal (zeros (system.n, 1));
+  system.mass = mechanism_matrices (mechanism, rod_dynamics (mechanism, q, v));
   system.at = @(t, q, v) everything (mechanism, t, q, v);
   system.inertia = @(at, a) inertia_times (mechanism, at.rods, a);
   system.reaction = @(at, lambda) forces_of_markers (mechanism, at.markers, reactions (mechanism, at.constraints, lambda));

@@ -6,7 +6,7 @@
 
 function F = reactions (mechanism, c, lambda)
   blank = zeros (mechanism.marker_count, columns (lambda));
-  [F.x, F.y, F.angle] = deal (blank);
+  F.x = F.y = F.angle = blank;
   for i = 1:numel (c.gradients)
     kind = mechanism.constraints.kinds(i);
     g = c.gradients{i};
