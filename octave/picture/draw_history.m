@@ -5,7 +5,7 @@
 ## @end deftypefn
 
 function draw_history (drawing, scratch)
-  panels = history_panels (drawing);
+  panels = drawing.panels;
   settings = scene_settings (drawing, fit_camera (drawing, [1 1]));
   settings.t = padded_range (drawing.time);
   settings.panels = numel (panels);
@@ -13,10 +13,11 @@ function draw_history (drawing, scratch)
   settings.breaks = sprintf ("%.9g ", drawing.moment_breaks(inside));
   write_text (fullfile (scratch, "settings.gp"), gnuplot_settings (settings));
   for i = 1:numel (panels)
-    panel = struct ("label", panels(i).label, "names", strjoin (panels(i).names), ...
-                    "range", padded_range (panels(i).values), "step", tic_step (padded_range (panels(i).values), 5));
+    [label, values] = scaled_panel (panels(i));
+    panel = struct ("label", label, "names", strjoin (panels(i).names), ...
+                    "range", padded_range (values), "step", tic_step (padded_range (values), 5));
     write_text (fullfile (scratch, sprintf ("panel_%d.gp", i)),
-                [gnuplot_settings(panel), gnuplot_block("curves", {[drawing.time; panels(i).values].'})]);
+                [gnuplot_settings(panel), gnuplot_block("curves", {[drawing.time; values].'})]);
   endfor
   run_gnuplot (scratch, "history.gp");
 endfunction

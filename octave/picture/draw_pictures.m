@@ -5,16 +5,21 @@
 ## @file{history.svg}.
 ##
 ## The @var{drawing} of F frames has the fields @code{title}, @code{time} (1-by-F, s), @code{frames_per_second},
-## @code{zoom}, @code{gravity} (m/s²), @code{moment} (1-by-F, N m; of the load or the hub at O), @code{moment_breaks} (1-by-B, s), and
+## @code{zoom} (the factor on the deformation in x and y), @code{gravity} (m/s²), @code{moment} (1-by-F, N m; acts at the
+## first hinge, zeros for none), @code{moment_breaks} (1-by-B, s), and
 ##
 ## @table @code
 ## @item bodies
 ## a struct array of @code{x}, @code{y} (P-by-F, m: the centreline as drawn), @code{rest_x}, @code{rest_y} (P-by-F, m:
-## the undeformed body), @code{half_height} (m), @code{stress} (P-by-F, Pa, or empty);
+## the undeformed body), @code{half_height} (m), @code{stress} (P-by-F, Pa, or empty); P may differ. The end of the last
+## one leaves a trail;
 ## @item hinges
-## a struct of @code{x}, @code{y} (H-by-F, m); the first is O, where the moment acts;
-## @item history
-## a struct of the rows t, phi, psi, phi_dot, tip_x, tip_y, T, U, Z, W, D (1-by-F), of V (N-by-F) and V_names (N names).
+## a struct of @code{x}, @code{y} (H-by-F, m, as drawn; H may be 0) and, where not all stand on the ground, @code{ground}
+## (H-by-1, logical): others are pins between bodies;
+## @item strips
+## up to four panels (see @code{new_panel}) beside each frame, whose curves a mark runs along;
+## @item panels
+## those of @file{history.svg}, from top to bottom.
 ## @end table
 ##
 ## @var{warnings} is a cell array of texts: what could not be made, and why.
