@@ -1,10 +1,11 @@
 ## -*- texinfo -*-
-## @deftypefn {} {} draw_frames (@var{drawing}, @var{scratch})
+## @deftypefn {} {@var{jobs} =} draw_frames (@var{drawing}, @var{scratch})
 ## The frames of @var{drawing} (see @code{draw_pictures}), 1280 by 720 pixels, in the folder @file{frames} beside the
-## folder @var{scratch}, which takes the data.
+## folder @var{scratch}, which takes the data. They are there when all @var{jobs} (see @code{finish_tool}) have ended:
+## shares of the frames, each of which is drawn while the data of the next one are written.
 ## @end deftypefn
 
-function draw_frames (drawing, scratch)
+function jobs = draw_frames (drawing, scratch)
   mkdir (fullfile (scratch, "..", "frames"));
   camera = fit_camera (drawing, [670 590]);
   [stress, range, unit] = body_stress (drawing.bodies);
@@ -19,10 +20,14 @@ function draw_frames (drawing, scratch)
   write_text (fullfile (scratch, "settings.gp"), [gnuplot_settings(settings), strip_data(drawing)]);
 
   frames = numel (drawing.time);
-  for frame = 1:frames
-    write_text (fullfile (scratch, sprintf ("%04d.gp", frame)), frame_data (drawing, stress, camera, frame));
+  shares = min (2*nproc (), frames);
+  for share = 1:shares
+    mine = floor ((share - 1)*frames/shares) + 1:floor (share*frames/shares);
+    for frame = mine
+      write_text (fullfile (scratch, sprintf ("%04d.gp", frame)), frame_data (drawing, stress, camera, frame));
+    endfor
+    jobs(share) = start_gnuplot (scratch, "frames.gp", mine(1), mine(end));
   endfor
-  run_gnuplot (scratch, "frames.gp", frames);
 endfunction
 
 ## $history: the time and all curves of the strips; and what each strip has, as lists of words
@@ -49,7 +54,7 @@ endfunction
 %!  mkdir (folder);
 %!  mkdir (fullfile (folder, "scratch"));
 %!  unwind_protect
-%!    draw_frames (drawing, fullfile (folder, "scratch"));
+%!    arrayfun (@finish_tool, draw_frames (drawing, fullfile (folder, "scratch")));
 %!    for frame = 1:numel (drawing.time)
 %!      information = imfinfo (fullfile (folder, "frames", sprintf ("frame_%04d.png", frame)));
 %!      assert ([information.Width, information.Height], [1280, 720]);

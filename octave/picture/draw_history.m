@@ -1,10 +1,10 @@
 ## -*- texinfo -*-
-## @deftypefn {} {} draw_history (@var{drawing}, @var{scratch})
+## @deftypefn {} {@var{job} =} draw_history (@var{drawing}, @var{scratch})
 ## The time histories of @var{drawing} (see @code{draw_pictures}), @file{history.svg} beside the folder @var{scratch},
-## which takes the data.
+## which takes the data. It is there when @var{job} has ended (see @code{finish_tool}).
 ## @end deftypefn
 
-function draw_history (drawing, scratch)
+function job = draw_history (drawing, scratch)
   panels = drawing.panels;
   settings = scene_settings (drawing, fit_camera (drawing, [1 1]));
   settings.t = padded_range (drawing.time);
@@ -19,7 +19,7 @@ function draw_history (drawing, scratch)
     write_text (fullfile (scratch, sprintf ("panel_%d.gp", i)),
                 [gnuplot_settings(panel), gnuplot_block("curves", {[drawing.time; values].'})]);
   endfor
-  run_gnuplot (scratch, "history.gp");
+  job = start_gnuplot (scratch, "history.gp");
 endfunction
 
 %!function text = history_of (drawing)
@@ -27,7 +27,7 @@ endfunction
 %!  mkdir (folder);
 %!  mkdir (fullfile (folder, "scratch"));
 %!  unwind_protect
-%!    draw_history (drawing, fullfile (folder, "scratch"));
+%!    finish_tool (draw_history (drawing, fullfile (folder, "scratch")));
 %!    text = fileread (fullfile (folder, "history.svg"));
 %!  unwind_protect_cleanup
 %!    confirm_recursive_rmdir (false, "local");
