@@ -13,7 +13,11 @@ function summary = write_run (folder, scene, model, history, summary, start)
   function write (aside)
     write_history (history, fullfile (aside, "history.csv"));
     drawing_start = tic ();
-    summary.warnings = [summary.warnings, draw_pictures(rod_drawing (scene, model, history), aside)];
+    [warnings, seconds] = draw_pictures (rod_drawing (scene, model, history), aside);
+    summary.warnings = [summary.warnings, warnings];
+    for [value, part] = seconds
+      summary.seconds.(part) = value;
+    endfor
     summary.seconds.pictures = toc (drawing_start);
     summary.seconds.total = toc (start);
     write_summary (summary, fullfile (aside, "summary.json"));

@@ -6,8 +6,7 @@
 
 function check_drawing (drawing)
   frames = numel (drawing.time);
-  check_fields (rmfield (drawing.history, {"V_names", "torque"}), "history.", frames);
-  check_fields (drawing.hinges, "hinges.", frames);
+  check_fields (struct ("x", drawing.hinges.x, "y", drawing.hinges.y), "hinges.", frames);
   check_fields (struct ("time", drawing.time, "moment", drawing.moment), "", frames);
   for i = 1:numel (drawing.bodies)
     body = rmfield (drawing.bodies(i), "half_height");
@@ -15,6 +14,11 @@ function check_drawing (drawing)
       body = rmfield (body, "stress");
     endif
     check_fields (body, sprintf ("bodies(%d).", i), frames);
+  endfor
+  for kind = {"strips", "panels"}
+    for i = 1:numel (drawing.(kind{1}))
+      check_fields (struct ("values", drawing.(kind{1})(i).values), sprintf ("%s(%d).", kind{1}, i), frames);
+    endfor
   endfor
 endfunction
 
@@ -26,16 +30,16 @@ function check_fields (fields, prefix, frames)
   endfor
 endfunction
 
-%!test # no modes and no stress are fine
+%!test # no stress is fine, and no panels
 %! drawing = sample_drawing (2);
-%! drawing.history.V = zeros (0, 2);
+%! drawing.panels = [];
 %! drawing.bodies(1).stress = [];
 %! check_drawing (drawing);
 %!error <draw_pictures: moment must be finite, with 3 frames>
 %! drawing = sample_drawing (3);
 %! drawing.moment = 0;
 %! check_drawing (drawing);
-%!error <draw_pictures: history.U must be finite, with 3 frames>
+%!error <draw_pictures: panels\(4\).values must be finite, with 3 frames>
 %! drawing = sample_drawing (3);
-%! drawing.history.U(2) = Inf;
+%! drawing.panels(4).values(2) = Inf;
 %! check_drawing (drawing);

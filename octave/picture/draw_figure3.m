@@ -1,11 +1,12 @@
 ## -*- texinfo -*-
-## @deftypefn {} {} draw_figure3 (@var{drawing}, @var{scratch})
+## @deftypefn {} {@var{job} =} draw_figure3 (@var{drawing}, @var{scratch})
 ## The paper's figure 3: all of @var{drawing} (see @code{draw_pictures}) in one picture, @file{figure3.svg},
 ## @file{figure3.png} and @file{figure3.pdf} beside the folder @var{scratch}, which takes the data. The bodies stand
-## there at up to 13 even times, shaded from the first to the last.
+## there at up to 13 even times, shaded from the first to the last. They are there when @var{job} has ended (see
+## @code{finish_tool}).
 ## @end deftypefn
 
-function draw_figure3 (drawing, scratch)
+function job = draw_figure3 (drawing, scratch)
   camera = fit_camera (drawing, [790 690]);
   shown = unique (round (linspace (1, numel (drawing.time), 13)));
   settings = scene_settings (drawing, camera);
@@ -32,7 +33,7 @@ function draw_figure3 (drawing, scratch)
               [gnuplot_settings(settings), gnuplot_block("outlines", outlines), gnuplot_block("rests", rests), ...
                gnuplot_block("tip_path", {tip_path}), gnuplot_block("ground", {ground}), ...
                gnuplot_block("pins", {pins})]);
-  run_gnuplot (scratch, "figure3.gp");
+  job = start_gnuplot (scratch, "figure3.gp");
 endfunction
 
 %!function check_files (draw, drawing, names)
@@ -40,7 +41,7 @@ endfunction
 %!  mkdir (folder);
 %!  mkdir (fullfile (folder, "scratch"));
 %!  unwind_protect
-%!    draw (drawing, fullfile (folder, "scratch"));
+%!    finish_tool (draw (drawing, fullfile (folder, "scratch")));
 %!    for name = names
 %!      assert (stat (fullfile (folder, name{1})).size > 1000);
 %!    endfor

@@ -1,47 +1,74 @@
 ## -*- texinfo -*-
-## @deftypefn {} {} draw_frames (@var{drawing}, @var{scratch})
+## @deftypefn {} {@var{jobs} =} draw_frames (@var{drawing}, @var{scratch})
 ## The frames of @var{drawing} (see @code{draw_pictures}), 1280 by 720 pixels, in the folder @file{frames} beside the
-## folder @var{scratch}, which takes the data.
+## folder @var{scratch}, which takes the data. They are there when all @var{jobs} (see @code{finish_tool}) have ended:
+## shares of the frames, each of which is drawn while the data of the next one are written.
 ## @end deftypefn
 
-function draw_frames (drawing, scratch)
+function jobs = draw_frames (drawing, scratch)
   mkdir (fullfile (scratch, "..", "frames"));
   camera = fit_camera (drawing, [670 590]);
   [stress, range, unit] = body_stress (drawing.bodies);
-  history = [drawing.time; rad2deg(drawing.history.phi); drawing.history.phi_dot; drawing.moment];
-
   settings = scene_settings (drawing, camera);
   settings.stress = range;
   settings.stress_label = ["largest bending stress, " unit];
   coloured = ! cellfun (@isempty, stress);
   settings.coloured = sum (coloured);
   settings.thickness = sprintf ("%.2f ", 2 * max ([drawing.bodies(coloured).half_height] / camera.pixel, 1.5));
-  names = {"t", "phi", "phi_dot", "moment"};
-  for i = 1:4
-    settings.(names{i}) = padded_range (history(i,:));
-    settings.([names{i} "_step"]) = tic_step (settings.(names{i}), 6 - 2*(i > 1));
-  endfor
-  write_text (fullfile (scratch, "settings.gp"),
-              [gnuplot_settings(settings), gnuplot_block("history", {history.'})]);
+  settings.t = padded_range (drawing.time);
+  settings.t_step = tic_step (settings.t, 6);
+  write_text (fullfile (scratch, "settings.gp"), [gnuplot_settings(settings), strip_data(drawing)]);
 
   frames = numel (drawing.time);
-  for frame = 1:frames
-    write_text (fullfile (scratch, sprintf ("%04d.gp", frame)), frame_data (drawing, stress, camera, frame));
+  shares = min (2*nproc (), frames);
+  for share = 1:shares
+    mine = floor ((share - 1)*frames/shares) + 1:floor (share*frames/shares);
+    for frame = mine
+      write_text (fullfile (scratch, sprintf ("%04d.gp", frame)), frame_data (drawing, stress, camera, frame));
+    endfor
+    jobs(share) = start_gnuplot (scratch, "frames.gp", mine(1), mine(end));
   endfor
-  run_gnuplot (scratch, "frames.gp", frames);
 endfunction
 
-%!test # more frames than processors, each with the right size
-%! folder = tempname ();
-%! mkdir (folder);
-%! mkdir (fullfile (folder, "scratch"));
-%! unwind_protect
-%!   draw_frames (sample_drawing (5), fullfile (folder, "scratch"));
-%!   for frame = 1:5
-%!     information = imfinfo (fullfile (folder, "frames", sprintf ("frame_%04d.png", frame)));
-%!     assert ([information.Width, information.Height], [1280, 720]);
-%!   endfor
-%! unwind_protect_cleanup
-%!   confirm_recursive_rmdir (false, "local");
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+## $history: the time and all curves of the strips; and what each strip has, as lists of words
+function text = strip_data (drawing)
+  settings = struct ("strips", numel (drawing.strips), "labels", "", "names", "", "curves", "", "low", "", "high", "", ...
+                     "step", "");
+  table = drawing.time;
+  for i = 1:settings.strips
+    [label, values] = scaled_panel (drawing.strips(i));
+    range = padded_range (values);
+    settings.labels = [settings.labels, "\"", label, "\" "];
+    settings.curves = [settings.curves, sprintf("%d ", rows (values))];
+    settings.low = [settings.low, sprintf("%.9g ", range(1))];
+    settings.high = [settings.high, sprintf("%.9g ", range(2))];
+    settings.step = [settings.step, sprintf("%.9g ", tic_step (range, 4))];
+    settings.names = [settings.names, sprintf("\"%s\" ", drawing.strips(i).names{:})];
+    table = [table; values];
+  endfor
+  text = [gnuplot_settings(settings), gnuplot_block("history", {table.'})];
+endfunction
+
+%!function sizes_are_right (drawing)
+%!  folder = tempname ();
+%!  mkdir (folder);
+%!  mkdir (fullfile (folder, "scratch"));
+%!  unwind_protect
+%!    arrayfun (@finish_tool, draw_frames (drawing, fullfile (folder, "scratch")));
+%!    for frame = 1:numel (drawing.time)
+%!      information = imfinfo (fullfile (folder, "frames", sprintf ("frame_%04d.png", frame)));
+%!      assert ([information.Width, information.Height], [1280, 720]);
+%!    endfor
+%!  unwind_protect_cleanup
+%!    confirm_recursive_rmdir (false, "local");
+%!    rmdir (folder, "s");
+%!  end_unwind_protect
+%!endfunction
+%!test # more frames than processors
+%! sizes_are_right (sample_drawing (5));
+%!test # bodies that are pinned together, and bodies that are free, with nothing beside them
+%! sizes_are_right (sample_mechanism (2));
+%! drawing = sample_mechanism (1);
+%! drawing.hinges = struct ("x", zeros (0, 1), "y", zeros (0, 1));
+%! drawing.strips = [];
+%! sizes_are_right (drawing);

@@ -1,11 +1,11 @@
 ## -*- texinfo -*-
-## @deftypefn {} {} draw_history (@var{drawing}, @var{scratch})
+## @deftypefn {} {@var{job} =} draw_history (@var{drawing}, @var{scratch})
 ## The time histories of @var{drawing} (see @code{draw_pictures}), @file{history.svg} beside the folder @var{scratch},
-## which takes the data.
+## which takes the data. It is there when @var{job} has ended (see @code{finish_tool}).
 ## @end deftypefn
 
-function draw_history (drawing, scratch)
-  panels = history_panels (drawing);
+function job = draw_history (drawing, scratch)
+  panels = drawing.panels;
   settings = scene_settings (drawing, fit_camera (drawing, [1 1]));
   settings.t = padded_range (drawing.time);
   settings.panels = numel (panels);
@@ -13,12 +13,13 @@ function draw_history (drawing, scratch)
   settings.breaks = sprintf ("%.9g ", drawing.moment_breaks(inside));
   write_text (fullfile (scratch, "settings.gp"), gnuplot_settings (settings));
   for i = 1:numel (panels)
-    panel = struct ("label", panels(i).label, "names", strjoin (panels(i).names), ...
-                    "range", padded_range (panels(i).values), "step", tic_step (padded_range (panels(i).values), 5));
+    [label, values] = scaled_panel (panels(i));
+    panel = struct ("label", label, "names", strjoin (panels(i).names), ...
+                    "range", padded_range (values), "step", tic_step (padded_range (values), 5));
     write_text (fullfile (scratch, sprintf ("panel_%d.gp", i)),
-                [gnuplot_settings(panel), gnuplot_block("curves", {[drawing.time; panels(i).values].'})]);
+                [gnuplot_settings(panel), gnuplot_block("curves", {[drawing.time; values].'})]);
   endfor
-  run_gnuplot (scratch, "history.gp");
+  job = start_gnuplot (scratch, "history.gp");
 endfunction
 
 %!function text = history_of (drawing)
@@ -26,7 +27,7 @@ endfunction
 %!  mkdir (folder);
 %!  mkdir (fullfile (folder, "scratch"));
 %!  unwind_protect
-%!    draw_history (drawing, fullfile (folder, "scratch"));
+%!    finish_tool (draw_history (drawing, fullfile (folder, "scratch")));
 %!    text = fileread (fullfile (folder, "history.svg"));
 %!  unwind_protect_cleanup
 %!    confirm_recursive_rmdir (false, "local");

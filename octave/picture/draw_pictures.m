@@ -1,39 +1,59 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{warnings} =} draw_pictures (@var{drawing}, @var{folder})
+## @deftypefn {} {[@var{warnings}, @var{seconds}] =} draw_pictures (@var{drawing}, @var{folder})
 ## Frames, film and figures of @var{drawing}, written into the existing @var{folder}: @file{frames/frame_0001.png} and
 ## on, @file{animation.mp4}, @file{animation.gif}, @file{figure3.svg}, @file{figure3.png}, @file{figure3.pdf} and
 ## @file{history.svg}.
 ##
 ## The @var{drawing} of F frames has the fields @code{title}, @code{time} (1-by-F, s), @code{frames_per_second},
-## @code{zoom}, @code{gravity} (m/s²), @code{moment} (1-by-F, N m; of the load or the hub at O), @code{moment_breaks} (1-by-B, s), and
+## @code{zoom} (the factor on the deformation in x and y), @code{gravity} (m/s²), @code{moment} (1-by-F, N m; acts at the
+## first hinge, zeros for none), @code{moment_breaks} (1-by-B, s), and
 ##
 ## @table @code
 ## @item bodies
 ## a struct array of @code{x}, @code{y} (P-by-F, m: the centreline as drawn), @code{rest_x}, @code{rest_y} (P-by-F, m:
-## the undeformed body), @code{half_height} (m), @code{stress} (P-by-F, Pa, or empty);
+## the undeformed body), @code{half_height} (m), @code{stress} (P-by-F, Pa, or empty); P may differ. The end of the last
+## one leaves a trail;
 ## @item hinges
-## a struct of @code{x}, @code{y} (H-by-F, m); the first is O, where the moment acts;
-## @item history
-## a struct of the rows t, phi, psi, phi_dot, tip_x, tip_y, T, U, Z, W, D (1-by-F), of V (N-by-F) and V_names (N names).
+## a struct of @code{x}, @code{y} (H-by-F, m, as drawn; H may be 0) and, where not all stand on the ground, @code{ground}
+## (H-by-1, logical): others are pins between bodies;
+## @item strips
+## up to four panels (see @code{new_panel}) beside each frame, whose curves a mark runs along;
+## @item panels
+## those of @file{history.svg}, from top to bottom.
 ## @end table
 ##
-## @var{warnings} is a cell array of texts: what could not be made, and why.
+## @var{warnings} is a cell array of texts: what could not be made, and why. @var{seconds} is a struct of how long
+## @code{figures}, @code{frames} and @code{film} took; the figures are drawn while the frames' data are written.
 ## It is an error when the frames of the fields differ, when a value is not finite, and when gnuplot or ffmpeg fails.
 ## @end deftypefn
 
-function warnings = draw_pictures (drawing, folder)
+function [warnings, seconds] = draw_pictures (drawing, folder)
   check_drawing (drawing);
-  scratch = fullfile (folder, "scratch");
-  mkdir (scratch);
+  scratch = @(name) fullfile (folder, ["scratch_" name]);
+  cellfun (@(name) mkdir (scratch (name)), {"figure3", "history", "frames"});
+  jobs = [];
   unwind_protect
-    draw_figure3 (drawing, scratch);
-    draw_history (drawing, scratch);
-    draw_frames (drawing, scratch);
+    start = tic ();
+    jobs = [draw_figure3(drawing, scratch ("figure3")), draw_history(drawing, scratch ("history"))];
+    frames_start = tic ();
+    jobs = [jobs, draw_frames(drawing, scratch ("frames"))];
+    cellfun (@(job) finish_tool (job), num2cell (jobs(1:2)));
+    seconds.figures = toc (start);
+    cellfun (@(job) finish_tool (job), num2cell (jobs(3:end)));
+    seconds.frames = toc (frames_start);
   unwind_protect_cleanup
     confirm_recursive_rmdir (false, "local");
-    rmdir (scratch, "s");
+    cellfun (@(name) rmdir (scratch (name), "s"), {"figure3", "history", "frames"});
   end_unwind_protect
-  warnings = make_film (drawing.frames_per_second, folder);
+  made = [strcat("figure3.", {"svg", "png", "pdf"}), {"history.svg"}, frame_names(numel (drawing.time))];
+  cellfun (@(name) require_whole (fullfile (folder, name)), made);
+  start = tic ();
+  warnings = make_film (numel (drawing.time), drawing.frames_per_second, folder);
+  seconds.film = toc (start);
+endfunction
+
+function names = frame_names (frames)
+  names = arrayfun (@(k) sprintf ("frames/frame_%04d.png", k), 1:frames, "UniformOutput", false);
 endfunction
 
 %!test # every file is there, in a folder with a difficult name, and nothing else

@@ -12,7 +12,7 @@ function camera = fit_camera (drawing, panel)
   reach = 2.5 * camera.symbol;
   x = [x; drawing.hinges.x(:) - reach; drawing.hinges.x(:) + reach];
   y = [y; drawing.hinges.y(:) - reach; drawing.hinges.y(:) + reach];
-  if (any (drawing.moment))
+  if (any (drawing.moment) && ! isempty (drawing.hinges.x))
     ## The moment's arrow and its value stand around O.
     x = [x; drawing.hinges.x(1,:).' - 0.4*span; drawing.hinges.x(1,:).' + 0.4*span];
     y = [y; drawing.hinges.y(1,:).' - 0.2*span; drawing.hinges.y(1,:).' + 0.2*span];

@@ -22,14 +22,19 @@ function text = frame_data (drawing, stress, camera, frame)
   [ground, pins] = hinge_symbol (drawing.hinges, frame, camera.symbol);
 
   moment = drawing.moment(frame);
-  hinge = [drawing.hinges.x(1,frame), drawing.hinges.y(1,frame)];
-  away = hinge - mean (vertcat (rest{:}));
+  hinge = mean (vertcat (rest{:}));
+  away = [0 1];
+  if (! isempty (drawing.hinges.x))
+    away = [drawing.hinges.x(1,frame), drawing.hinges.y(1,frame)] - hinge;
+    hinge += away;
+  endif
+  away /= max (norm (away), realmin);
   [arrow, place] = moment_arrow (moment, hinge, atan2 (away(2), away(1)), 3*camera.symbol);
   settings.clock = sprintf ("t = %.*f s", max (2, ceil (log10 (drawing.frames_per_second))), drawing.time(frame));
   [scale, unit] = unit_prefix (moment, "N m");
   settings.moment_label = repmat (sprintf ("%.3g %s", moment/scale, unit), 1, moment != 0);
   label_size = [5.5*numel(settings.moment_label), 11] * camera.pixel;
-  settings.moment_place = place + label_size .* away / norm (away);
+  settings.moment_place = place + label_size .* away;
 
   text = [gnuplot_settings(settings), ...
           gnuplot_block("rest", rest), gnuplot_block("outline", outline), gnuplot_block("pieces", pieces), ...

@@ -3,11 +3,8 @@ set terminal pngcairo size 1280,720 font "sans-serif,12.5"
 X(pixels) = pixels/1280.
 Y(pixels) = pixels/720.
 
-array quantity[3] = ["{/:Italic φ}, °", "d{/:Italic φ}/d{/:Italic t}, rad/s", "{/:Italic M}, N m"]
-array low[3]      = [phi_low, phi_dot_low, moment_low]
-array high[3]     = [phi_high, phi_dot_high, moment_high]
-array step[3]     = [phi_step, phi_dot_step, moment_step]
-array bottom[3]   = [425, 245, 65]
+strip_height = strips < 2 ? 240 : (510 - 30*(strips - 1))/strips
+bottom(i) = 65 + (strips - i)*(strip_height + 30)
 
 set cbrange [stress_low:stress_high]
 set cblabel stress_label textcolor rgb ink
@@ -49,18 +46,23 @@ do for [frame=first:last] {
   unset ylabel
   set xrange [t_low:t_high]
   set xtics t_step
-  do for [i=1:3] {
-    set margins at screen X(960),at screen X(1255),at screen Y(bottom[i]),at screen Y(bottom[i] + 150)
-    set yrange [low[i]:high[i]]
-    set ytics step[i]
-    set xlabel (i == 3 ? "{/:Italic t}, s" : "")
-    set format x (i == 3 ? "%h" : "")
-    set label 1 quantity[i] at graph 0,1.1
-    plot $history using 1:i+1 with lines lc rgb light, \
-         $history using 1:i+1 every ::0::frame-1 with lines lt 1, \
-         $history using 1:i+1 every ::frame-1::frame-1 with points lt 1 pt 7 ps 1.2
+  column = 1
+  do for [i=1:strips] {
+    set margins at screen X(960),at screen X(1255),at screen Y(bottom(i)),at screen Y(bottom(i) + strip_height)
+    set yrange [real(word(low, i)):real(word(high, i))]
+    set ytics real(word(step, i))
+    set xlabel (i == strips ? "{/:Italic t}, s" : "")
+    set format x (i == strips ? "%h" : "")
+    set label 1 word(labels, i) at screen X(960),Y(bottom(i) + strip_height + 14) noenhanced
+    n = int(word(curves, i))
+    set key at screen X(1255),Y(bottom(i) + strip_height + 4) right bottom horizontal noenhanced samplen 1 textcolor rgb ink
+    plot for [k=1:n] $history using 1:column+k with lines lc rgb light notitle, \
+         for [k=1:n] $history using 1:column+k every ::0::frame-1 with lines lt k title (n > 1 ? word(names, column + k - 1) : ""), \
+         for [k=1:n] $history using 1:column+k every ::frame-1::frame-1 with points lt k pt 7 ps 1.2 notitle
+    column = column + n
   }
   unset format
+  unset key
   unset multiplot
   unset output
 }

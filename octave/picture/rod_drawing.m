@@ -21,7 +21,8 @@ function drawing = rod_drawing (scene, model, history)
   body.stress = bending_stress (scene.rod, model, stations, history);
   drawing.bodies = body;
   drawing.hinges = struct ("x", zeros (size (history.t)), "y", zeros (size (history.t)));
-  drawing.history = history;
+  drawing.strips = rod_strips (history, drawing.moment);
+  drawing.panels = rod_panels (history, model.length);
 endfunction
 
 function half_height = drawn_half_height (rod)
@@ -42,7 +43,8 @@ endfunction
 %!test
 %! scene = check_scene (setfield (paper (), "model", "modes", [0 1]));
 %! model = build_model (scene, rung_of_scene (scene));
-%! history = struct ("t", [0 1], "phi", [0 0], "V", [0, 1e-4], "torque", []);
+%! history = setfield (sample_history (2), "V", [0, 1e-4]);
+%! [history.phi, history.V_names] = deal ([0 0], {"V2_1"});
 %! drawing = rod_drawing (scene, model, history);
 %! E = 8.1e10*(3*1.2e11 + 2*8.1e10)/(1.2e11 + 8.1e10);
 %! assert (max (drawing.bodies.stress(:,2)), E*pi^2*1e-4*0.015, 1);

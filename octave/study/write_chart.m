@@ -28,7 +28,7 @@ function write_chart (table, ladder, cost, scene, folder)
   rows = ladder([ladder.error_m] > 0 & isfinite ([ladder.error_m]));
   chosen = rows([rows.chosen]);
   write_text (fullfile (scratch, "settings.gp"), [text, gnuplot_block("cost", {cost}), ladder_block("ladder", rows), ladder_block("chosen", chosen)]);
-  run_gnuplot (scratch, "chart.gp");
+  finish_tool (start_gnuplot (scratch, "chart.gp"));
   confirm_recursive_rmdir (false, "local");
   rmdir (scratch, "s");
 endfunction

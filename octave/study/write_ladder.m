@@ -25,7 +25,7 @@ function write_ladder (table, scene, folder)
     blocks = [blocks, points(name{1}, drawn(selected.(name{1})))];
   endfor
   write_text (fullfile (scratch, "settings.gp"), [gnuplot_settings(settings), blocks]);
-  run_gnuplot (scratch, "models.gp");
+  finish_tool (start_gnuplot (scratch, "models.gp"));
   confirm_recursive_rmdir (false, "local");
   rmdir (scratch, "s");
 endfunction

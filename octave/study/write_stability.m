@@ -25,7 +25,7 @@ function write_stability (table, pictures, folder)
     text = [text, gnuplot_block(name, {rows})];
   endfor
   write_text (fullfile (scratch, "settings.gp"), text);
-  run_gnuplot (scratch, "stability.gp");
+  finish_tool (start_gnuplot (scratch, "stability.gp"));
   confirm_recursive_rmdir (false, "local");
   rmdir (scratch, "s");
 endfunction
