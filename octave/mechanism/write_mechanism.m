@@ -4,10 +4,17 @@
 ## @end deftypefn
 
 function summary = write_mechanism (folder, scene, mechanism, history, summary, start)
-  publish_run (folder, {"history.csv", "summary.json"}, @write);
+  names = {"history.csv", "summary.json", "frames", "animation.mp4", "animation.gif", ...
+           "figure3.svg", "figure3.png", "figure3.pdf", "history.svg"};
+  publish_run (folder, names, @write);
 
   function write (aside)
     write_mechanism_history (scene, mechanism, history, fullfile (aside, "history.csv"));
+    [warnings, seconds] = draw_pictures (mechanism_drawing (scene, mechanism, history), aside);
+    summary.warnings = [summary.warnings, warnings];
+    for [value, part] = seconds
+      summary.seconds.(part) = value;
+    endfor
     summary.seconds.total = toc (start);
     write_summary (summary, fullfile (aside, "summary.json"));
   endfunction

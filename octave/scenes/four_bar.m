@@ -27,7 +27,7 @@ function scene = four_bar ()
     struct("name", "rocker bearing", "kind", "revolute", "bodies", 3, "stations", 0, "point", [ground 0])
   };
   scene.breaks = 0.5;
-  scene.duration = 1.5;
+  scene.duration = 1.4;
   scene.zoom = 100;
-  scene.solver.tolerance = 1e-6;
+  scene.solver.tolerance = 1e-5;
 endfunction
