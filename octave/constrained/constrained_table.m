@@ -11,7 +11,7 @@ function table = constrained_table ()
     "baumgarte",         @(varargin) integrate_accelerations ("baumgarte", varargin{:}),      true
     "acceleration",      @(varargin) integrate_accelerations ("acceleration", varargin{:}),   true
     "generalized_alpha", @(varargin) integrate_constrained_steps (@index3_alpha, varargin{:}), false
-    "rattle",            @(varargin) integrate_constrained_steps (@rattle, varargin{:}),       false
+    "variational",       @(varargin) integrate_constrained_steps (@variational, varargin{:}),  false
     "ode15i",            @(varargin) integrate_dae ("ode15i", varargin{:}),                   true
     "daspk",             @(varargin) integrate_dae ("daspk", varargin{:}),                    true
   };

@@ -11,6 +11,8 @@
 ## @code{joint_constraints})
 ## @item inertia (at, a), reaction (at, lambda)
 ## M a and Phi_q' lambda
+## @item convection (at, v)
+## (dM/dt) v: with f it is dL/dq of one state
 ## @item matrices (at)
 ## sparse M and Phi_q of one state
 ## @item energies (q, v, at)
@@ -39,11 +41,13 @@ function system = mechanism_system (scene, mechanism)
   system.at = @(t, q, v) everything (mechanism, t, q, v);
   system.inertia = @(at, a) inertia_times (mechanism, at.rods, a);
   system.reaction = @(at, lambda) forces_of_markers (mechanism, at.markers, reactions (mechanism, at.constraints, lambda));
+  system.convection = @(at, v) rod_convection (mechanism, at.q, v);
   system.matrices = @(at) mechanism_matrices (mechanism, at.rods, at.markers, at.constraints);
   system.energies = @(q, v, at) mechanism_energies (mechanism, q, v) + [0; 1; 0]*at.spring_energy;
 endfunction
 
 function at = everything (mechanism, t, q, v)
+  at.q = q;
   at.rods = rod_dynamics (mechanism, q, v);
   at.markers = marker_motion (mechanism, q, v);
   at.constraints = joint_constraints (mechanism, t, at.markers);
