@@ -1,14 +1,14 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_radau (@var{system}, @var{times}, @var{start}, @var{solver})
-## Radau IIA of order 5 (Hairer and Wanner, Solving Ordinary Differential Equations II, IV.8 and VII) on the stabilised
+## Radau IIA of order 9 (Hairer and Wanner, Solving Ordinary Differential Equations II, IV.8 and VII) on the stabilised
 ## index-2 formulation of Gear, Gupta and Leimkuhler (J. Comput. Appl. Math. 12, 1985), M (q' - v) + Phi_q' mu = 0,
 ## M v' + Phi_q' lambda = f, Phi = 0, Phi' = 0: positions and velocities meet their constraints at every step.
-## Steps follow from the embedded formula of order 3, in @var{solver}.tolerance (m).
+## Steps follow from the embedded formula of order 5, in @var{solver}.tolerance (m).
 ## @var{start} and @var{states} have q, v, W, D; states also lambda, a column a time of @var{times} (1-by-m, s).
 ## @end deftypefn
 
 function [states, steps] = integrate_radau (system, times, start, solver)
-  persistent rule = radau_rule ();
+  persistent rule = radau_rule (5);
   states = first_states (system, times, start);
   y = start;
   [y.a, y.lambda] = constrained_accelerations (system, times(1), y.q, y.v);
@@ -24,10 +24,10 @@ function [states, steps] = integrate_radau (system, times, start, solver)
       if (error_ratio <= 1)
         t = [t + step, times(k)](1 + (pieces == 1));
         [y, last] = deal (next, stages);
-        h = step*min (4, max (0.3, 0.85*max (error_ratio, 1e-12)^(-1/4)));
+        h = step*min (4, max (0.3, 0.85*max (error_ratio, 1e-12)^(-1/6)));
         refused = 0;
       else
-        h = step*min (0.7, max (0.1, 0.85*error_ratio^(-1/4)));
+        h = step*min (0.7, max (0.1, 0.85*error_ratio^(-1/6)));
         refused++;
       endif
       if (h < 1e-10*system.duration || refused > 30)
@@ -38,14 +38,25 @@ function [states, steps] = integrate_radau (system, times, start, solver)
   endfor
 endfunction
 
-function rule = radau_rule ()
-  s = sqrt (6);
-  rule.c = [(4 - s)/10, (4 + s)/10, 1];
-  rule.A = (rule.c.'.^(1:3)./(1:3))/(rule.c.'.^(0:2));  # collocation
+## @var{s} stages, odd: collocation at the zeros of d^(s-1)/dx^(s-1) (x^(s-1) (x - 1)^s); error formula of Hairer and Wanner
+function rule = radau_rule (s)
+  p = 1;
+  for k = 1:2*s-1
+    p = conv (p, [1, -(k > s - 1)]);
+  endfor
+  for k = 1:s-1
+    p = polyder (p);
+  endfor
+  rule.c = sort (real (roots (p))).';
+  rule.c(s) = 1;
+  powers = rule.c.'.^(0:s-1);
+  rule.A = (rule.c.'.^(1:s)./(1:s))/powers;
   [rule.T, eigenvalues] = eig (inv (rule.A));
   eigenvalues = diag (eigenvalues);
-  [~, order] = sort (abs (imag (eigenvalues)) - 1e-3*imag (eigenvalues));  # real, then the one above the axis
+  [~, order] = sort (1e3*abs (imag (eigenvalues)) - imag (eigenvalues));  # real, then the pairs, from above the axis
   rule.T = rule.T(:,order);
   rule.eigenvalues = eigenvalues(order);
-  rule.e = [-13 - 7*s, -13 + 7*s, -1]/3;
+  first = zeros (1, s);
+  first(1) = 1;
+  rule.e = -(first/powers)*inv (rule.A);
 endfunction

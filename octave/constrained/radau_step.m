@@ -8,8 +8,9 @@ function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, l
   [n, c] = deal (system.n, system.constraint_count);
   scale = tolerance*system.q_scale;
   [q, v, lambda] = first_guess (rule, y, h, last);
-  mu = zeros (c, 3);
-  middle = system.at (t + h/2, q(:,2), v(:,2));
+  s = numel (rule.c);
+  mu = zeros (c, s);
+  middle = system.at (t + h*rule.c((s+1)/2), q(:,(s+1)/2), v(:,(s+1)/2));
   [mass, jacobian] = system.matrices (middle);
   factors = factorise (system, rule, mass, jacobian, h);
   inverse = inv (rule.A).'/h;
@@ -43,9 +44,9 @@ function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, l
   a = (v - y.v)*inverse;
   stages = struct ("q", q, "v", v, "lambda", lambda, "h", h, "q_start", y.q, "v_start", y.v);
   error_ratio = embedded_error (rule, factors, mass, y, q - y.q, v - y.v, h, scale);
-  weights = rule.A(3,:).';
+  weights = rule.A(s,:).';
   power = at.power + sum (lambda.*at.constraints.rate, 1);
-  next = struct ("q", q(:,3), "v", v(:,3), "a", a(:,3), "lambda", lambda(:,3), "W", y.W + h*power*weights, ...
+  next = struct ("q", q(:,s), "v", v(:,s), "a", a(:,s), "lambda", lambda(:,s), "W", y.W + h*power*weights, ...
                  "D", y.D + h*at.dissipated*weights);
 endfunction
 
@@ -54,18 +55,19 @@ function [q, v, lambda] = first_guess (rule, y, h, last)
   if (isempty (last))
     q = y.q + y.v*(h*rule.c) + y.a*((h*rule.c).^2/2);
     v = y.v + y.a*(h*rule.c);
-    lambda = repmat (y.lambda, 1, 3);
+    lambda = repmat (y.lambda, 1, numel (rule.c));
     return;
   endif
   at = 1 + h/last.h*rule.c.';
   nodes = [0; rule.c.'];
-  basis = (at.^(0:3))/(nodes.^(0:3));
+  s = numel (rule.c);
+  basis = (at.^(0:s))/(nodes.^(0:s));
   q = [last.q_start, last.q]*basis.';
   v = [last.v_start, last.v]*basis.';
-  lambda = last.lambda*((at.^(0:2))/(rule.c.'.^(0:2))).';
+  lambda = last.lambda*((at.^(0:s-1))/(rule.c.'.^(0:s-1))).';
 endfunction
 
-## for the real eigenvalue and one of the pair; multipliers in units of the mass, so that rows and columns are of like size
+## for the real eigenvalue and one of each pair; multipliers in units of the mass, so that rows and columns are of like size
 function factors = factorise (system, rule, mass, jacobian, h)
   [n, c] = deal (system.n, system.constraint_count);
   factors.unit = mean (abs (diag (mass)));
@@ -73,8 +75,8 @@ function factors = factorise (system, rule, mass, jacobian, h)
   none = sparse (c, c);
   wide = sparse (c, n);
   factors.h = h;
-  for i = 1:2
-    g = rule.eigenvalues(i)/h;
+  for i = 1:(numel (rule.c) + 1)/2
+    g = rule.eigenvalues(2*i - 2 + (i == 1))/h;
     matrix = [g*mass, -mass, wide.', J.'; system.stiffness, g*mass + system.damping_matrix, J.', wide.'; J/h, wide, none, none; wide, J, none, none];
     [factors.L{i}, factors.U{i}, factors.P{i}, factors.Q{i}] = lu (matrix);
   endfor
@@ -83,10 +85,11 @@ endfunction
 function step = solve_stages (rule, factors, right)
   right = right*inv (rule.T).';
   w = zeros (size (right));
-  for i = 1:2
-    w(:,i) = factors.Q{i}*(factors.U{i} \ (factors.L{i} \ (factors.P{i}*right(:,i))));
+  for i = 1:numel (factors.L)
+    k = 2*i - 2 + (i == 1);
+    w(:,k) = factors.Q{i}*(factors.U{i} \ (factors.L{i} \ (factors.P{i}*right(:,k))));
+    w(:,2*i-1) = [conj(w(:,k)), w(:,k)](:,1 + (i == 1));
   endfor
-  w(:,3) = conj (w(:,2));
   step = real (w*rule.T.');
 endfunction
 
