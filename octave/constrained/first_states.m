@@ -10,3 +10,5 @@ function states = first_states (system, times, start)
                    "W", zeros (1, m), "D", zeros (1, m));
   states = keep (states, 1, setfield (start, "lambda", zeros (system.constraint_count, 1)));
 endfunction
+
+%!assert (first_states (struct ("n", 2, "constraint_count", 1), 1:3, struct ("q", [1; 2], "v", [3; 4], "W", 5, "D", 6)).q(:,1), [1; 2])

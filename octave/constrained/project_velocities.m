@@ -9,3 +9,8 @@ function v = project_velocities (system, t, q, v)
   [mass, jacobian] = system.matrices (at);
   v += saddle_solve (system, t, mass, jacobian, 0*v, -at.constraints.velocity);
 endfunction
+
+%!test
+%! [system, start] = sample_mechanism ([0 1]);
+%! v = project_velocities (system, 0, start.q, ones (system.n, 1));
+%! assert (system.at (0, start.q, v).constraints.velocity, zeros (5, 1), 1e-12);

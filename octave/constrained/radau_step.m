@@ -24,6 +24,10 @@ function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, l
                 system.inertia(at, a) - at.force + system.reaction(at, lambda)
                 at.constraints.residual*factors.unit/h
                 at.constraints.velocity*factors.unit];
+    if (! all (isfinite (residual(:))))
+      why = "its loads or states are no numbers";
+      return;
+    endif
     step = solve_stages (rule, factors, -residual);
     q += step(1:n,:);
     v += step(n+1:2*n,:);
@@ -102,3 +106,10 @@ function ratio = embedded_error (rule, factors, mass, y, Z_q, Z_v, h, scale)
   found = real (factors.Q{1}*(factors.U{1} \ (factors.L{1} \ (factors.P{1}*right))));
   ratio = max (max (abs ([found(1:n); h*found(n+1:2*n)])./[scale; scale]));
 endfunction
+
+%!test # one step leaves positions and velocities on their constraints
+%! [system, start] = sample_mechanism ([0 1]);
+%! states = integrate_radau (system, [0 0.01], start, struct ("tolerance", 1e-4));
+%! at = system.at (0.01, states.q(:,2), states.v(:,2));
+%! assert (max (abs (at.constraints.residual)) < 1e-10);
+%! assert (max (abs (at.constraints.velocity)) < 1e-8);

@@ -17,3 +17,7 @@ function refuse_dependent (system, t, jacobian)
     stop_integration ("mechanism", system, t, system.duration, NaN, "its equations have no unique solution", "other joints");
   endif
 endfunction
+
+%!error <at t = 0 s 1 of 2 constraints depend on the others, those of (elbow|knee): take a joint>
+%! names.constraints.names = {"elbow", "knee"};
+%! refuse_dependent (struct ("mechanism", names, "duration", 1), 0, sparse ([1 2; 2 4]));

@@ -28,3 +28,10 @@ function state = unpack (t, y, system, correction)
   state = struct ("q", y(1:n), "v", y(n+1:2*n), "W", y(end-1), "D", y(end));
   [~, state.lambda] = constrained_accelerations (system, t, state.q, state.v, correction);
 endfunction
+
+%!test # the rates are those of the packed state
+%! [system, start] = sample_mechanism ([0 1]);
+%! ode = state_space (system);
+%! y_dot = ode.rate (0.1, ode.pack (start));
+%! assert (y_dot(1:system.n), start.v);
+%! assert (ode.unpack (0.1, ode.pack (start)).q, start.q);

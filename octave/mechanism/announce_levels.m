@@ -13,3 +13,8 @@ function announce_levels (choice, scene)
             repmat (" <-", 1, isequal (tried.levels, choice.levels)));
   endfor
 endfunction
+
+%!test
+%! tried = struct ("levels", [1 2], "error_m", 1e-5, "seconds", 0.5);
+%! text = evalc ("announce_levels (struct (\"tried\", tried, \"levels\", [1 2]), struct ())");
+%! assert (! isempty (regexp (text, "bending modes 1 2 .*1e-05 m   0.50 s <-")));

@@ -39,3 +39,15 @@ function F = add_to (F, marker, f)
   F.y(marker,:) += f(2,:);
   F.angle(marker,:) += f(3,:);
 endfunction
+
+%!function [system, q, v, h] = any_state ()
+%!  [system, start] = sample_mechanism ([1 2]);
+%!  rand ("seed", 5);
+%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
+%!endfunction
+%!test # springs' forces are their energy's gradients, less the dampers'
+%! [system, q, v, h] = any_state ();
+%! energy = @(s) nthargout (2, @applied_forces, system.mechanism, 0.2, marker_motion (system.mechanism, q + s*v, v));
+%! at = marker_motion (system.mechanism, q, v);
+%! [F, ~, power, dissipated] = applied_forces (system.mechanism, 0.2, at);
+%! assert (forces_of_markers (system.mechanism, at, F).'*v, power - dissipated - (energy (h) - energy (-h))/(2*h), 1e-6);

@@ -18,7 +18,7 @@ function [start, warnings] = assemble_mechanism (scene, mechanism, system)
   refuse_dependent (system, 0, jacobian);
   v = project_velocities (system, 0, q, given_v);
   start = struct ("q", q, "v", v, "W", 0, "D", 0);
-  warnings = [what_moved(q - given_q, v - given_v, mechanism, scene), loose_bodies(scene)];
+  warnings = [what_moved(q - given_q, v - given_v, mechanism, scene), loose_bodies(scene), locked(scene, system)];
 endfunction
 
 function refuse_open (scene, mechanism, system, q)
@@ -43,6 +43,15 @@ function warnings = what_moved (dq, dv, mechanism, scene)
   endfor
 endfunction
 
+function warnings = locked (scene, system)
+  warnings = {};
+  driven = any (cellfun (@(kind) ! isempty (kind), {system.mechanism.constraints.kinds.moving}));
+  if (system.n == system.constraint_count && ! driven)
+    warnings = {sprintf("the mechanism is locked: %d constraints on %d coordinates, and no joint is driven", ...
+                        system.constraint_count, system.n)};
+  endif
+endfunction
+
 function warnings = loose_bodies (scene)
   tied = false (1, numel (scene.bodies));
   do
@@ -57,3 +66,34 @@ function warnings = loose_bodies (scene)
   warnings = cellfun (@(name) sprintf ("%s hangs on nothing: no joints lead from it to the ground", name), ...
                       {scene.bodies(! tied).name}, "uniformoutput", false);
 endfunction
+
+%!function scene = bars (coupler)
+%!  rod = @(l) struct ("rod", struct ("length", l, "EA", 1, "EI", 1, "rhoA", 1), "model", struct ("modes", [0 0]));
+%!  scene.bodies = {rod(0.2), setfield(rod (coupler), "initial", struct ("phi", 0.5)), setfield(rod (0.5), "initial", struct ("phi", 1.5))};
+%!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), ...
+%!                  struct("kind", "revolute", "bodies", [1 2], "stations", [0.2 0]), ...
+%!                  struct("kind", "revolute", "bodies", [2 3], "stations", [coupler 0.5], "name", "pin"), ...
+%!                  struct("kind", "revolute", "bodies", 3, "stations", 0, "point", [0.6 0])};
+%!  scene.duration = 1;
+%!endfunction
+%!function [start, warnings, system] = assembled (scene)
+%!  scene = check_mechanism (scene);
+%!  mechanism = build_mechanism (scene, mechanism_rungs (scene, zeros (1, numel (scene.bodies))));
+%!  system = mechanism_system (scene, mechanism);
+%!  [start, warnings] = assemble_mechanism (scene, mechanism, system);
+%!endfunction
+%!test # a loop closes, and what moved is said
+%! [start, warnings, system] = assembled (bars (0.7));
+%! assert (max (abs (system.at (0, start.q, start.v).constraints.residual)) < 1e-11);
+%! assert (! isempty (strfind (warnings{1}, "was moved by")));
+%!error <cannot be assembled: .*; the loop through .*body 2.* does not close> assembled (bars (2))
+%!error <[0-9] of 9 constraints depend on the others, those of .*: take a joint of another kind there, or none>
+%! scene = bars (0.7); scene.joints{5} = struct ("kind", "slider", "bodies", 3, "stations", 0, "point", [0.6 0]); assembled (scene);
+%!test # what hangs on nothing, and what cannot move
+%! scene = bars (0.7); scene.joints(4) = [];
+%! scene.joints(1) = [];
+%! [~, warnings] = assembled (scene);
+%! assert (any (! cellfun (@isempty, strfind (warnings, "hangs on nothing"))));
+%! scene = bars (0.7); scene.joints{5} = struct ("kind", "angle", "bodies", 1, "stations", 0);
+%! [~, warnings] = assembled (scene);
+%! assert (any (! cellfun (@isempty, strfind (warnings, "is locked"))));

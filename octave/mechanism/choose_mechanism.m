@@ -60,3 +60,12 @@ function metres = farthest (a, b)
   off = @(k) max (hypot (a.x{k} - b.x{k}, a.y{k} - b.y{k})(:));
   metres = max (arrayfun (off, 1:numel (a.x)));
 endfunction
+
+%!test # a soft rod needs modes, a stiff one none
+%! rod = struct ("length", 0.5, "EA", 1e6, "EI", 5, "rhoA", 1);
+%! model = struct ("modes", "auto", "energy", "uniaxial");
+%! scene.bodies = {struct("rod", setfield (rod, "EI", 1e6), "model", model), struct("rod", rod, "model", model)};
+%! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), struct("kind", "revolute", "bodies", [1 2], "stations", [0.5 0])};
+%! scene.duration = 0.2; scene.solver.tolerance = 1e-4;
+%! [~, choice] = choose_mechanism (check_mechanism (scene));
+%! assert (choice.levels, [0 1]); assert (choice.error < 0.5e-4);

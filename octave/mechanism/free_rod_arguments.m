@@ -11,3 +11,5 @@ function arguments = free_rod_arguments (model, gravity)
   arguments.potential = {a.stiffness_matrix, gravity, a.static_moment, a.first_moment_1, a.first_moment_2, ...
                          a.shortened_moment_matrix};
 endfunction
+
+%!assert (numel (free_rod_arguments (sample_mechanism ([1 2]).mechanism.models{1}, 9.81).potential), 6)

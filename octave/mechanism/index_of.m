@@ -7,3 +7,5 @@ function index = index_of (mechanism, body)
   place = mechanism.place(body,:);
   index = mechanism.groups(place(1)).index(:,place(2));
 endfunction
+
+%!assert (index_of (sample_mechanism ([0 1]).mechanism, 2), (5:8).')

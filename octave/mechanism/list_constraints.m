@@ -7,7 +7,11 @@
 
 function constraints = list_constraints (mechanism, joints)
   constraints = struct ("kinds", struct ([]), "names", {{}}, "count", 0, "joint", []);
-  constraints.values = {joints(:).value};
+  constraints.values = {};
+  if (isempty (joints))
+    return;
+  endif
+  constraints.values = {joints.value};
   all_kinds = joint_kinds ();
   table = {};
   for j = 1:numel (joints)
@@ -45,3 +49,7 @@ endfunction
 function S = incidence (markers, count)
   S = sparse (markers, 1:numel (markers), 1, count, numel (markers));
 endfunction
+
+%!test
+%! constraints = sample_mechanism ([0 1]).mechanism.constraints;
+%! assert (constraints.count, 5); assert (sort (vertcat (constraints.kinds.rows)), (1:5).');

@@ -59,3 +59,8 @@ function arguments = marker_arguments (model, station)
   endif
   arguments = {station, along.', across.', along_slope.', across_slope.', model.shortening*shortening_at(model.base, station)};
 endfunction
+
+%!test # equal rods at equal stations are one group
+%! mechanism = sample_mechanism ([0 1]).mechanism;
+%! assert (mechanism.marker_count, 9);
+%! assert (isequal (sort ([mechanism.markers.numbers]), 1:6));

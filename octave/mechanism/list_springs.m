@@ -6,6 +6,9 @@
 
 function [springs, loads] = list_springs (mechanism, joints)
   [springs, loads] = deal (struct ([]));
+  if (isempty (joints))
+    return;
+  endif
   kinds = joint_kinds ();
   kind_of = arrayfun (@(joint) find (strcmp ({kinds.name}, joint.kind)), joints);
   for k = unique (kind_of(:)).'
@@ -22,3 +25,7 @@ function [springs, loads] = list_springs (mechanism, joints)
     endfor
   endfor
 endfunction
+
+%!test
+%! mechanism = sample_mechanism ([0 1]).mechanism;
+%! assert (numel (mechanism.springs), 2); assert (mechanism.loads.parts, [1 2]);

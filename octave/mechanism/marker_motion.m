@@ -42,3 +42,18 @@ function at = marker_motion (mechanism, q, v)
                           "angle_q", [a_V; one; none; none]);
   endfor
 endfunction
+
+%!function [system, q, v, h] = any_state ()
+%!  [system, start] = sample_mechanism ([1 2]);
+%!  rand ("seed", 5);
+%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
+%!endfunction
+%!test # rates, convection and derivatives are those of the positions
+%! [system, q, v, h] = any_state ();
+%! at = @(q) marker_motion (system.mechanism, q, v);
+%! [back, here, on] = deal (at (q - h*v), at (q), at (q + h*v));
+%! assert ((on.x - back.x)/(2*h), here.x_dot, 1e-7);
+%! assert ((on.y_dot - back.y_dot)/(2*h), here.y_convection, 1e-6);
+%! assert ((on.angle_dot - back.angle_dot)/(2*h), here.angle_convection, 1e-5);
+%! part = here.parts{1};
+%! assert (sum (part.y_q(:,1).*v(part.index(:,1))), here.y_dot(part.numbers(1)), 1e-12);

@@ -26,3 +26,10 @@ function history = measure_mechanism (system, times, states)
     history.bodies(k) = body;
   endfor
 endfunction
+
+%!test
+%! [system, start] = sample_mechanism ([0 1]);
+%! states = first_states (system, [0 1], start); states.q(:,2) = start.q; states.v(:,2) = start.v;
+%! history = measure_mechanism (system, [0 1], states);
+%! assert (history.balance(1), history.balance(2), 1e-12);
+%! assert (history.bodies(1).tip_x, [0.5 0.5], 1e-6);

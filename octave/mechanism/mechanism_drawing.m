@@ -29,3 +29,9 @@ function hinges = pins (scene, mechanism, history)
   hinges = struct ("x", history.markers.x(markers,:), "y", history.markers.y(markers,:));
   hinges.ground = arrayfun (@(joint) joint.bodies(2) == 0 && ! strcmp (joint.kind, "slider"), scene.joints(pinned)(:));
 endfunction
+
+%!test
+%! [system, start, scene] = sample_mechanism ([0 1]);
+%! history = measure_mechanism (system, 0, first_states (system, 0, start));
+%! drawing = mechanism_drawing (scene, system.mechanism, history);
+%! assert (numel (drawing.bodies), 3); assert (drawing.hinges.ground, [true; false; false]);

@@ -14,8 +14,9 @@ function [scene, body, joint] = mechanism_fields ()
     of("title"); of("gravity"); of("duration"); of("frames_per_second"); of("frame_size"); of("zoom")
     {"solver.name", "auto", ["\"auto\", \"" strjoin({constrained_table().name}, "\", \"") "\""]}
     of("solver.step"); of("solver.rho_infinity"); of("solver.tolerance")
-    {"bodies", NaN, "struct array, or cell array of structs"
-     "joints", NaN, "struct array, or cell array of structs"
+    {"solver.baumgarte", 100, "positive number in 1/s"
+     "bodies", NaN, "struct array, or cell array of structs"
+     "joints", {{}}, "struct array, or cell array of structs"
      "breaks", [], "vector of times in s"}
   ];
   initial = {
@@ -35,7 +36,7 @@ function [scene, body, joint] = mechanism_fields ()
     "stations",  [],      "vector of stations in m, one a body"
     "point",     [0 0],   "vector [x y] of a place on the ground in m"
     "direction", 0,       "number in rad"
-    "value",     0,       "number or function of t, see joint_kinds"
+    "value",     0,       "vector or function of t, see joint_kinds"
     "stiffness", 0,       "nonnegative number in N/m or N m/rad"
     "damping",   0,       "nonnegative number in N s/m or N m s/rad"
     "rest",      0,       "number in m or rad"

@@ -60,3 +60,15 @@ function by = markers_by_coordinates (mechanism, at)
                   [part.x_q(:); part.y_q(:); part.angle_q(:)], 3*count, mechanism.n);
   endfor
 endfunction
+
+%!function [system, q, v, h] = any_state ()
+%!  [system, start] = sample_mechanism ([1 2]);
+%!  rand ("seed", 5);
+%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
+%!endfunction
+%!test # kinetic energy, and the constraints' rates
+%! [system, q, v] = any_state ();
+%! at = system.at (0, q, v);
+%! [mass, jacobian] = system.matrices (at);
+%! assert (v.'*mass*v/2, mechanism_energies (system.mechanism, q, v)(1), 1e-12);
+%! assert (jacobian*v, at.constraints.velocity, 1e-12);

@@ -39,3 +39,9 @@ function corrections = clamped_ends (scene, k)
   endfor
   corrections = fliplr (unique (corrections));
 endfunction
+
+%!test # only chosen modes have corrections, at ends that bear moments
+%! [~, ~, scene] = sample_mechanism ([1 2]);
+%! scene.bodies(2).model.modes = "auto";
+%! rungs = mechanism_rungs (scene, [0 3 0]);
+%! assert (rungs{1}.sines, [1 2]); assert (rungs{2}.sines, [1 3]); assert (rungs{2}.corrections, -1);

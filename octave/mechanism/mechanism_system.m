@@ -55,3 +55,13 @@ function at = everything (mechanism, t, q, v)
   at.force = at.rods.force + forces_of_markers (mechanism, at.markers, F);
   at.dissipated = at.rods.dissipated + dissipated;
 endfunction
+
+%!function [system, q, v, h] = any_state ()
+%!  [system, start] = sample_mechanism ([1 2]);
+%!  rand ("seed", 5);
+%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
+%!endfunction
+%!test # several times at once
+%! [system, q, v] = any_state ();
+%! both = system.at ([0.1 0.2], [q, q], [v, -v]);
+%! assert (both.force(:,2), system.at (0.2, q, -v).force, 1e-10);

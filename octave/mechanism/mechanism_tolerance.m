@@ -9,3 +9,7 @@ function tolerance = mechanism_tolerance (scene)
   scene.rod = longest;
   tolerance = tolerance_in_metres (scene);
 endfunction
+
+%!test
+%! [~, ~, scene] = sample_mechanism ([0 1]);
+%! assert (mechanism_tolerance (scene), 0.5*2.5*0.5/720, 1e-12);

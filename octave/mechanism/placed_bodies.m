@@ -80,3 +80,12 @@ function [V, V_dot] = amplitudes (initial, base, name)
     V_dot = [V_dot; padded.(of{2})];
   endfor
 endfunction
+
+%!test # the second rod hangs where the first one ends
+%! [system, ~, scene] = sample_mechanism ([0 1]);
+%! scene.bodies(1).initial.phi = pi/2;
+%! q = placed_bodies (scene, system.mechanism);
+%! assert (q(index_of (system.mechanism, 2)(end-1:end)), [0; 0.5], 1e-15);
+%!error <body 1: initial.V2 has 2 amplitudes for 1 modes>
+%! [system, ~, scene] = sample_mechanism ([0 1]); scene.bodies(1).initial.V2 = [1 2];
+%! placed_bodies (scene, system.mechanism);

@@ -25,3 +25,15 @@ function d = rod_dynamics (mechanism, q, v)
     d.blocks{g} = b;
   endfor
 endfunction
+
+%!function [system, q, v, h] = any_state ()
+%!  [system, start] = sample_mechanism ([1 2]);
+%!  rand ("seed", 5);
+%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
+%!endfunction
+%!test # power of free rods: the rate of T + U + Z is minus what is dissipated
+%! [system, q, v, h] = any_state ();
+%! d = rod_dynamics (system.mechanism, q, v);
+%! a = mechanism_matrices (system.mechanism, d) \ d.force;
+%! E = @(s) sum (mechanism_energies (system.mechanism, q + s*v + s^2/2*a, v + s*a));
+%! assert ((E (h) - E (-h))/(2*h), -d.dissipated, 1e-5);

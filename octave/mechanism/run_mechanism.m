@@ -13,3 +13,10 @@ function [history, count, warnings] = run_mechanism (scene, mechanism)
   history = measure_mechanism (system, times, states);
   watch_balance (history, system, count);
 endfunction
+
+%!test # the sample keeps its balance, with springs, dampers and a force
+%! [system, ~, scene] = sample_mechanism ([0 1]);
+%! scene.solver.tolerance = 1e-6; scene.frames_per_second = 20;
+%! history = run_mechanism (scene, system.mechanism);
+%! assert (max (energy_error (history)) < 1e-7);
+%! assert (history.D(end) > 0 && history.W(end) != 0);

@@ -25,3 +25,15 @@ function result = simulate_mechanism (scene, name, folder)
   endif
   result = struct ("scene", scene, "mechanism", mechanism, "history", history, "summary", summary);
 endfunction
+
+%!test # an arm is chosen, run and written; a second run in the same folder replaces it
+%! folder = tempname (); confirm_recursive_rmdir (false, "local");
+%! scene = chain (2); scene.duration = 0.1;
+%! unwind_protect
+%!   evalc ("result = simulate_mechanism (scene, \"chain\", folder);");
+%!   assert (result.summary.largest_constraint_residual < 1e-10);
+%!   assert (result.summary.largest_constraint_velocity < 1e-8);
+%!   assert (jsondecode (fileread (fullfile (folder, "summary.json"))).frames, 6);
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect

@@ -44,3 +44,12 @@ function warnings = large_deflections (scene, mechanism, history)
     endif
   endfor
 endfunction
+
+%!test # a rod that bends too far is named
+%! [system, start, scene] = sample_mechanism ([0 1]);
+%! start.q(index_of (system.mechanism, 2)(1)) = 0.1;
+%! history = measure_mechanism (system, 0, first_states (system, 0, start));
+%! choice = struct ("tried", struct ("seconds", {}), "error", []);
+%! count = struct ("method", "radau", "seconds", 1, "steps", 2, "calls", 3);
+%! summary = summarise_mechanism ("sample", scene, system.mechanism, choice, count, history, {});
+%! assert (! isempty (regexp (summary.warnings{1}, "body 2 bends to a slope of 0.63")));

@@ -19,3 +19,5 @@ function summary = write_mechanism (folder, scene, mechanism, history, summary, 
     write_summary (summary, fullfile (aside, "summary.json"));
   endfunction
 endfunction
+
+%!error <cannot be made|can be written> write_mechanism ("/proc/nowhere", [], [], [], [], tic ())

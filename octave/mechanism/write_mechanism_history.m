@@ -35,3 +35,16 @@ function forms = forms_of (kind)
   kinds = joint_kinds ();
   forms = kinds(strcmp ({kinds.name}, kind)).constraints;
 endfunction
+
+%!test
+%! [system, start, scene] = sample_mechanism ([0 1]);
+%! history = measure_mechanism (system, 0, first_states (system, 0, start));
+%! file = tempname ();
+%! unwind_protect
+%!   write_mechanism_history (scene, system.mechanism, history, file);
+%!   text = fileread (file);
+%!   assert (strncmp (text, "t [s],x_1 [m],y_1 [m],phi_1 [rad],", 30));
+%!   assert (numel (strsplit (strtok (text, "\n"), ",")), numel (csvread (file, 1, 0)));
+%! unwind_protect_cleanup
+%!   unlink (file);
+%! end_unwind_protect
