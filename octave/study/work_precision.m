@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{table} =} work_precision (@var{scene}, @var{option}, @var{value}, @dots{})
-## The work-precision diagram of all integrators on a scene with the paper's sines (7 + 7 without the option "modes"):
+## The work-precision diagram of all integrators on a scene (of several bodies: see @code{constrained_precision}) with the paper's sines (7 + 7 without the option "modes"):
 ## the errors of tip and hinge angle over all frames against seconds (medians) and calls of the rate, and the ladder of
 ## models and the cost against the number of modes beside them.  Arguments as for @code{driver}.
 ##
@@ -14,6 +14,10 @@
 function table = work_precision (scene = "paper", varargin)
   [scene, name] = load_scene (scene);
   [scene, folder] = take_options (scene, fullfile ("output", name), varargin);
+  if (isfield (scene, "bodies"))
+    table = constrained_precision (scene, folder);
+    return;
+  endif
   scene = check_scene (scene);
   ladder = ladder_of (scene);
   if (ischar (scene.model.modes))

@@ -1,0 +1,67 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{table} =} constrained_stability ()
+## What the integrators of mechanisms do to constraints, for the table of @code{stability} (method, what, predicted,
+## measured): how Phi'' = 0 alone drifts with time, the limit of Baumgarte's terms in explicit steps, and the condition of the
+## matrix of Newton's iteration on index 3 as the step goes to 0, as it stands and scaled as @code{index3_alpha} takes it.
+## @end deftypefn
+
+function table = constrained_stability ()
+  times = 1:20;
+  drift = cummax (constraint_drift ("acceleration", struct ("step", 0.05), times, 9.81));
+  power = polyfit (log (times(4:end)), log (drift(4:end)), 1)(1);
+  rows = {"acceleration", "power of time by which Phi drifts", 2, power};
+  limit = real_limit ("ode45");
+  stable = @(hr) constraint_drift ("baumgarte", struct ("step", 0.01, "baumgarte", hr/0.01), 5, 0.01) < 1e-6;
+  rows(end+1,:) = {"baumgarte", "limit of step times rate, ode45", limit, measured_limit(stable, limit)};
+  for h = 10.^(-2:-2:-6)
+    [plain, scaled] = newton_condition (h);
+    rows(end+1,:) = {"generalized_alpha, index 3", sprintf("condition of Newton's matrix, h = %g s", h), NaN, plain};
+    rows(end+1,:) = {"generalized_alpha, index 3", sprintf("the same, scaled, h = %g s", h), NaN, scaled};
+  endfor
+  table = cell2struct (rows, {"method", "what", "predicted", "measured"}, 2).';
+endfunction
+
+## a rod that swings about a pin at its tip
+function drift = constraint_drift (method, solver, times, gravity)
+  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1), "model", struct ("modes", [0 0]))};
+  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 1)};
+  [scene.duration, scene.gravity] = deal (times(end), gravity);
+  scene = check_mechanism (scene);
+  system = mechanism_system (scene, build_mechanism (scene, mechanism_rungs (scene, 0)));
+  start = assemble_mechanism (scene, system.mechanism, system);
+  solver.name = method;
+  solver.tolerance = 1;
+  drift = Inf (size (times));
+  try
+    states = integrate_constrained (system, [0 times], start, solver);
+    residual = system.at ([0 times], states.q, states.v).constraints.residual;
+    drift = hypot (residual(1,2:end), residual(2,2:end));
+  catch err
+    if (! any (strcmp (err.identifier, {"toolchain:integration", "toolchain:scene"})))
+      rethrow (err);
+    endif
+  end_try_catch
+endfunction
+
+## of an explicit method on the negative real axis
+function limit = real_limit (method)
+  R = stability_function (method);
+  limit = fzero (@(x) abs (polyval (R, -x)) - 1, [1, 10]);
+endfunction
+
+function [plain, scaled] = newton_condition (h)
+  [system, start] = sample_mechanism ([1 2]);
+  [mass, jacobian] = system.matrices (system.at (0, start.q, start.v));
+  tangent = full (mass/(h^2/4) + system.stiffness);
+  J = full (jacobian);
+  none = zeros (rows (J));
+  plain = cond ([tangent, J.'; J, none]);
+  scaled = cond ([h^2/4*tangent, J.'*mean(diag (mass)); J*mean(diag (mass)), none]);
+endfunction
+
+%!test # Newton's matrix grows worse as h goes to 0 unless it is scaled
+%! table = constrained_stability ();
+%! measured = [table.measured];
+%! assert (measured(1), 2, 0.1);
+%! assert (measured(2), table(2).predicted, 0.01*table(2).predicted);
+%! assert (measured(7) > 1e6*measured(3)); assert (measured(8) < 10*measured(4));
