@@ -16,6 +16,7 @@
 
 function result = driver (scene = "paper", varargin)
   start = tic ();
+  command = repeat_command (scene, varargin);
   [scene, name] = load_scene (scene);
   [scene, folder] = take_options (scene, fullfile ("output", name), varargin);
   scene = check_scene (scene);
@@ -36,6 +37,7 @@ function result = driver (scene = "paper", varargin)
     rethrow (err);
   end_try_catch
   summary = summarise (name, scene, model, choice, count, history);
+  summary.command = command;
 
   if (! isempty (folder))
     summary = write_run (folder, scene, model, history, summary, start);

@@ -6,20 +6,24 @@
 
 function summary = write_run (folder, scene, model, history, summary, start)
   names = {"history.csv", "summary.json", "frames", "animation.mp4", "animation.gif", ...
-           "figure3.svg", "figure3.png", "figure3.pdf", "history.svg"};
+           "figure3.svg", "figure3.png", "figure3.pdf", "history.svg", "report.html"};
   publish_run (folder, names, @write);
   report (folder, summary);
 
   function write (aside)
     write_history (history, fullfile (aside, "history.csv"));
     drawing_start = tic ();
-    [warnings, seconds] = draw_pictures (rod_drawing (scene, model, history), aside);
+    drawing = rod_drawing (scene, model, history);
+    [warnings, seconds] = draw_pictures (drawing, aside);
     summary.warnings = [summary.warnings, warnings];
     for [value, part] = seconds
       summary.seconds.(part) = value;
     endfor
     summary.seconds.pictures = toc (drawing_start);
     summary.seconds.total = toc (start);
+    report_start = tic ();
+    write_report (aside, drawing, scene, summary);
+    summary.seconds.report = toc (report_start);
     write_summary (summary, fullfile (aside, "summary.json"));
   endfunction
 endfunction
@@ -35,7 +39,7 @@ function report (folder, summary)
   printf ("seconds: %.1f choice of the model, %.1f integration, %.1f pictures, %.1f in all\n", summary.seconds.choice, summary.seconds.integration, ...
           summary.seconds.pictures, summary.seconds.total);
   cellfun (@(text) printf ("warning: %s\n", text), summary.warnings);
-  printf ("%s/ has history.csv, summary.json, frames/, animation.mp4, animation.gif, figure3.svg, history.svg\n", folder);
+  printf ("%s/ has history.csv, summary.json, frames/, animation.mp4, animation.gif, figure3.svg, history.svg, report.html\n", folder);
 endfunction
 
 %!test # every file of a run is there
