@@ -13,11 +13,11 @@ function mathml = tex_to_mathml (tex)
   mathml = ["<math display=\"block\">" mathml "</math>"];
 endfunction
 
-## everything up to the end of a group
+## everything up to the end of a group or a pair of parentheses
 function [mathml, rest] = row_of (rest)
   parts = {};
   over = [];
-  while (! isempty (rest) && ! strcmp (rest{1}, "}"))
+  while (! isempty (rest) && ! any (strcmp (rest{1}, {"}", "\\right"})))
     if (strcmp (rest{1}, "\\over"))
       [over, parts, rest] = deal (row (parts), {}, rest(2:end));
     elseif (any (strcmp (rest{1}, {"^", "_"})))
@@ -58,24 +58,31 @@ function [mathml, rest] = atom_of (rest)
   elseif (any (strcmp (name, {"mathbf", "mathrm"})))
     [base, rest] = atom_of (rest);
     letters = regexprep (base, '<[^>]*>', "");
-    mathml = sprintf ("<mi mathvariant=\"%s\">%s</mi>", ifelse (strcmp (name, "mathbf"), "bold", "normal"), letters);
+    if (strcmp (name, "mathbf") && numel (letters) == 1)
+      ## Browsers know no other bold than the letters of their own: U+1D400 is A, U+1D41A is a.
+      letters = char ([240, 157, 144, 128 + lower(letters) - "a" + 26*islower(letters)]);
+    endif
+    mathml = ["<mi mathvariant=\"normal\">" letters "</mi>"];
   elseif (strcmp (name, "rm"))
     letters = find (cellfun (@(t) isempty (regexp (t, '^[A-Za-z0-9]+$')), [rest, {"}"}]), 1) - 1;
     mathml = ["<mi>" rest{1:letters} "</mi>"];
     rest(1:letters) = [];
-  elseif (any (strcmp (name, {"left", "right"})))
-    mathml = ["<mo>" rest{1} "</mo>"];
-    rest(1) = [];
+  elseif (strcmp (name, "left"))
+    first = rest{1};
+    [inner, rest] = row_of (rest(2:end));
+    mathml = ["<mrow><mo>" first "</mo>" inner "<mo>" rest{2} "</mo></mrow>"];
+    rest(1:2) = [];
   elseif (strcmp (token, "\\cdot"))
     mathml = "<mo>·</mo>";
   elseif (isfield (symbols, name) && token(1) == "\\")
     mathml = ["<mi>" symbols.(name) "</mi>"];
   elseif (any (strcmp (name, functions)) && token(1) == "\\")
-    mathml = ["<mi>" name "</mi><mo>&#8289;</mo>"];
+    applied = "<mo>&#8289;</mo><mspace width=\"0.17em\"/>";
+    mathml = ["<mi>" name "</mi>" applied];
     ## sin ^2 x: the exponent belongs to the function's name
     if (! isempty (rest) && strcmp (rest{1}, "^"))
       [script, rest] = atom_of (rest(2:end));
-      mathml = ["<msup><mi>" name "</mi>" script "</msup><mo>&#8289;</mo>"];
+      mathml = ["<msup><mi>" name "</mi>" script "</msup>" applied];
     endif
   elseif (any (strcmp (token, {"\\,", "\\!"})))
     mathml = "";
@@ -84,25 +91,23 @@ function [mathml, rest] = atom_of (rest)
   elseif (! isempty (regexp (token, '^\d')))
     mathml = ["<mn>" token "</mn>"];
   elseif (isletter (token(1)) || token(1) == "'")
-    mathml = ["<mi>" token "</mi>"];
+    mathml = ["<mi>" strrep(token, "'", "′") "</mi>"];
   elseif (token(1) != "\\")
-    mathml = ["<mo>" strrep(html_escape (token), "-", "−") "</mo>"];
+    mathml = ["<mo stretchy=\"false\">" strrep(html_escape (token), "-", "−") "</mo>"];
   else
     error ("tex_to_mathml: \"%s\" is not known", token);
   endif
 endfunction
 
-function value = ifelse (condition, yes, no)
-  value = {no, yes}{1 + condition};
-endfunction
-
 %!test
 %! text = tex_to_mathml ("{{\\mathbf{V}\\cdot a^2}\\over{2}}-\\dot{\\varphi}");
-%! expected = ["<math display=\"block\"><mrow><mfrac><mrow><mrow><mi mathvariant=\"bold\">V</mi><mo>·</mo>" ...
+%! expected = ["<math display=\"block\"><mrow><mfrac><mrow><mrow><mi mathvariant=\"normal\">𝐕</mi><mo>·</mo>" ...
 %!             "<msup><mi>a</mi><mn>2</mn></msup></mrow></mrow><mrow><mrow><mn>2</mn></mrow></mrow></mfrac>" ...
-%!             "<mo>−</mo><mover accent=\"true\"><mrow><mi>φ</mi></mrow><mo>˙</mo></mover></mrow></math>"];
+%!             "<mo stretchy=\"false\">−</mo><mover accent=\"true\"><mrow><mi>φ</mi></mrow><mo>˙</mo></mover></mrow></math>"];
 %! assert (text, expected);
 %!test # functions
 %! assert (! isempty (strfind (tex_to_mathml ("\\sin ^2\\varphi"), "<msup><mi>sin</mi><mn>2</mn></msup>")));
 %! assert (! isempty (strfind (tex_to_mathml ("{\\rm atan2}(x)"), "<mi>atan2</mi>")));
+%!test # parentheses are one thing
+%! assert (! isempty (strfind (tex_to_mathml ("\\left(a\\right)^2"), "<mo>)</mo></mrow><mn>2</mn></msup>")));
 %!error <"\\foo" is not known> tex_to_mathml ("\\foo")
