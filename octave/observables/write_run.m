@@ -14,6 +14,8 @@ function summary = write_run (folder, scene, model, history, summary, start)
     write_history (history, fullfile (aside, "history.csv"));
     drawing_start = tic ();
     drawing = rod_drawing (scene, model, history);
+    drawing.spectrum = tip_spectrum (scene, model);
+    summary.seconds.spectrum = toc (drawing_start);
     [warnings, seconds] = draw_pictures (drawing, aside);
     summary.warnings = [summary.warnings, warnings];
     for [value, part] = seconds

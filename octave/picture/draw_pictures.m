@@ -19,7 +19,9 @@
 ## @item strips
 ## up to four panels (see @code{new_panel}) beside each frame, whose curves a mark runs along;
 ## @item panels
-## those of @file{history.svg}, from top to bottom.
+## those of @file{history.svg}, from top to bottom;
+## @item spectrum
+## where there is one, for the foot of @file{history.svg}: a struct like that of @code{tip_spectrum}.
 ## @end table
 ##
 ## @var{warnings} is a cell array of texts: what could not be made, and why. @var{seconds} is a struct of how long
