@@ -4,7 +4,7 @@
 ##
 ## @var{scene} is the name of a function in octave/scenes/ (default "paper"), the path of a function file of one's own, or
 ## a struct; `help scene_fields' lists its fields.  The options stand for fields of the scene: "modes" ([N1 N2] or
-## "auto"), "solver" (a name), "tolerance" (m, or "pixel"); and "output" is the folder to write into (default
+## "auto"), "solver" (a name), "tolerance" (m, or "pixel"), "size" ([W H] of a frame in pixels); and "output" is the folder to write into (default
 ## output/NAME; "" writes nothing).
 ##
 ## @var{result} has the fields scene, model, history and summary.
@@ -51,4 +51,4 @@ endfunction
 %! assert (result.history.t(end), 1.8);
 %! assert (result.summary.method, "ode45");
 %!error <model.modes is "many": it takes "auto" or two numbers of modes \[N1 N2\]> driver ("paper", "modes", "many")
-%!error <"speed" is not an option: those are modes, solver, tolerance, output> driver ("paper", "speed", 3)
+%!error <"speed" is not an option: those are modes, solver, tolerance, size, output> driver ("paper", "speed", 3)

@@ -1,15 +1,22 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{jobs} =} draw_frames (@var{drawing}, @var{scratch})
-## The frames of @var{drawing} (see @code{draw_pictures}), 1280 by 720 pixels, in the folder @file{frames} beside the
+## The frames of @var{drawing} (see @code{draw_pictures}) in the folder @file{frames} beside the
 ## folder @var{scratch}, which takes the data. They are there when all @var{jobs} (see @code{finish_tool}) have ended:
 ## shares of the frames, each of which is drawn while the data of the next one are written.
 ## @end deftypefn
 
 function jobs = draw_frames (drawing, scratch)
   mkdir (fullfile (scratch, "..", "frames"));
-  camera = fit_camera (drawing, [670 590]);
+  frame_size = [1280 720];
+  if (isfield (drawing, "frame_size"))
+    frame_size = drawing.frame_size(:).';
+  endif
+  ## Everything is laid out for 1280 by 720, in units of as many pixels as let that fit in.
+  scale = min (frame_size ./ [1280 720]);
+  camera = fit_camera (drawing, frame_size/scale - [610 130]);
   [stress, range, unit] = body_stress (drawing.bodies);
   settings = scene_settings (drawing, camera);
+  [settings.unit, settings.width, settings.height] = deal (scale, frame_size(1), frame_size(2));
   settings.stress = range;
   settings.stress_label = ["largest bending stress, " unit];
   coloured = ! cellfun (@isempty, stress);
@@ -49,7 +56,7 @@ function text = strip_data (drawing)
   text = [gnuplot_settings(settings), gnuplot_block("history", {table.'})];
 endfunction
 
-%!function sizes_are_right (drawing)
+%!function sizes_are_right (drawing, pixels)
 %!  folder = tempname ();
 %!  mkdir (folder);
 %!  mkdir (fullfile (folder, "scratch"));
@@ -57,7 +64,7 @@ endfunction
 %!    arrayfun (@finish_tool, draw_frames (drawing, fullfile (folder, "scratch")));
 %!    for frame = 1:numel (drawing.time)
 %!      information = imfinfo (fullfile (folder, "frames", sprintf ("frame_%04d.png", frame)));
-%!      assert ([information.Width, information.Height], [1280, 720]);
+%!      assert ([information.Width, information.Height], pixels);
 %!    endfor
 %!  unwind_protect_cleanup
 %!    confirm_recursive_rmdir (false, "local");
@@ -65,10 +72,11 @@ endfunction
 %!  end_unwind_protect
 %!endfunction
 %!test # more frames than processors
-%! sizes_are_right (sample_drawing (5));
+%! sizes_are_right (sample_drawing (5), [1280 720]);
 %!test # bodies that are pinned together, and bodies that are free, with nothing beside them
-%! sizes_are_right (sample_mechanism (2));
+%! sizes_are_right (sample_mechanism (2), [1280 720]);
 %! drawing = sample_mechanism (1);
 %! drawing.hinges = struct ("x", zeros (0, 1), "y", zeros (0, 1));
 %! drawing.strips = [];
-%! sizes_are_right (drawing);
+%! drawing.frame_size = [400 600];
+%! sizes_are_right (drawing, [400 600]);

@@ -6,7 +6,8 @@
 ##
 ## The @var{drawing} of F frames has the fields @code{title}, @code{time} (1-by-F, s), @code{frames_per_second},
 ## @code{zoom} (the factor on the deformation in x and y), @code{gravity} (m/s²), @code{moment} (1-by-F, N m; acts at the
-## first hinge, zeros for none), @code{moment_breaks} (1-by-B, s), and
+## first hinge, zeros for none), @code{moment_breaks} (1-by-B, s), where it is not [1280 720] @code{frame_size} (width and
+## height, even numbers of pixels), and
 ##
 ## @table @code
 ## @item bodies

@@ -9,6 +9,7 @@ function drawing = rod_drawing (scene, model, history)
   drawing.time = history.t;
   drawing.frames_per_second = scene.frames_per_second;
   drawing.zoom = scene.zoom;
+  drawing.frame_size = scene.frame_size;
   drawing.gravity = scene.gravity;
   drawing.moment = scene.moment (history.t);
   if (! isempty (history.torque))
