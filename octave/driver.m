@@ -24,6 +24,9 @@ function result = driver (scene = "paper", varargin)
     scene.title = name;
   endif
   scene.solver.tolerance = tolerance_in_metres (scene);
+  if (! isempty (folder))
+    publish_run (folder, {}, @(aside) 0);  # a folder that cannot be written is known before the work
+  endif
 
   try
     [model, choice] = model_of_scene (scene);
