@@ -31,7 +31,7 @@ function result = driver (scene = "paper", varargin)
   try
     [model, choice] = model_of_scene (scene);
     announce (choice);
-    cellfun (@(text) printf ("warning: %s\n", text), spin_warning (scene, model));
+    cellfun (@(text) say ("warning: %s", text), spin_warning (scene, model));
     [history, count] = run_model (scene, model, choice);
   catch err
     if (strcmp (err.identifier, "toolchain:integration") && ! isempty (folder))

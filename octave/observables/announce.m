@@ -5,8 +5,8 @@
 
 function announce (choice)
   for tried = choice.tried(:).'
-    printf ("  %-62s %8.2g m %6.2f s %7d calls%s\n", tried.name, tried.error_m, tried.seconds, tried.calls, ...
-            repmat (" <-", 1, isequal (tried.rung, choice.trial.rung)));
+    say ("  %-62s %8.2g m %6.2f s %7d calls%s", tried.name, tried.error_m, tried.seconds, tried.calls, ...
+         repmat (" <-", 1, isequal (tried.rung, choice.trial.rung)));
   endfor
 endfunction
 
