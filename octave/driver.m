@@ -2,10 +2,10 @@
 ## @deftypefn {} {@var{result} =} driver (@var{scene}, @var{option}, @var{value}, @dots{})
 ## Simulate a scene and leave history, summary, frames, film and figures: the whole way from a scene to its pictures.
 ##
-## @var{scene} is the name of a function in octave/scenes/ (default "paper"), the path of a function file of one's own, or
-## a struct; `help scene_fields' lists its fields.  The options stand for fields of the scene: "modes" ([N1 N2] or
-## "auto"), "solver" (a name), "tolerance" (m, or "pixel"), "size" ([W H] of a frame in pixels); and "output" is the folder to write into (default
-## output/NAME; "" writes nothing).
+## @var{scene} is the name of a function in octave/scenes/ (default "paper"), the path of a function file of one's own,
+## or a struct; `help scene_fields' lists its fields.  The options stand for fields of the scene: "modes" ([N1 N2] or
+## "auto"), "solver" (a name), "tolerance" (m, or "pixel"), "size" ([W H] of a frame in pixels); and "output" is the
+## folder to write into (default output/NAME; "" writes nothing).
 ##
 ## @var{result} has the fields scene, model, history and summary.
 ##

@@ -1,17 +1,18 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{frequency}, @var{amplitude}] =} amplitude_spectrum (@var{values}, @var{step})
-## The amplitudes (1-by-K) of the oscillations in @var{values} (1-by-n, every @var{step} s) at the frequencies (1-by-K, Hz)
-## from two periods in the whole to half the rate of sampling, by a Hann window; the straight line through them is left out.
+## The amplitudes (m-by-K) of the oscillations in the rows of @var{values} (m-by-n, every @var{step} s) at the
+## frequencies (1-by-K, Hz) from two periods in the whole to half the rate of sampling, by a Hann window; the straight
+## line through them is left out.
 ## @end deftypefn
 
 function [frequency, amplitude] = amplitude_spectrum (values, step)
-  n = numel (values);
+  n = columns (values);
   values = detrend (values.').';
   window = 1 - cos (2*pi*(0:n-1)/n);
-  transformed = abs (fft (values.*window))*2/n;
+  transformed = abs (fft (values.*window, [], 2))*2/n;
   shown = 3:ceil (n/2);
   frequency = (shown - 1)/(n*step);
-  amplitude = transformed(shown);
+  amplitude = transformed(:,shown);
 endfunction
 
 %!test # a harmonic oscillation has its amplitude at its frequency, and nothing far from it

@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} announce (@var{choice})
-## Say which rungs of the ladder were tried for the model (see @code{choose_model}), what each cost, and which was taken.
+## Say which rungs of the ladder were tried for the model (see @code{choose_model}), what each cost, and which was
+## taken.
 ## @end deftypefn
 
 function announce (choice)

@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{yes} =} on_terminal ()
-## Whether a person watches at a terminal, who wants to see progress: output goes there, and the environment has no QUIET.
+## Whether a person watches at a terminal, who wants to see progress: output goes there, and the environment has no
+## QUIET.
 ## @end deftypefn
 
 function yes = on_terminal ()

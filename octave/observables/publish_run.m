@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} publish_run (@var{folder}, @var{names}, @var{write})
-## Make files whole or not at all: @var{write} (aside) writes into a folder of its own beside the final ones, and what it
-## wrote is then moved to its place in @var{folder}.  An error in @var{write} leaves @var{folder} as it was.
+## Make files whole or not at all: @var{write} (aside) writes into a folder of its own beside the final ones, and what
+## it wrote is then moved to its place in @var{folder}.  An error in @var{write} leaves @var{folder} as it was.
 ##
 ## Of the @var{names} (cellstr) that a run can leave, those that this one did not write are removed: what is there
 ## belongs together.  Other files in @var{folder} are not touched, but for what runs that were killed left there.

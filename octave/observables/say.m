@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} say (@var{template}, @dots{})
-## Print a line for a person, arguments as for @code{printf}, unless the environment has QUIET. On a terminal what begins with
-## "warning:" is coloured, unless the environment has NO_COLOR.
+## Print a line for a person, arguments as for @code{printf}, unless the environment has QUIET. On a terminal what
+## begins with "warning:" is coloured, unless the environment has NO_COLOR.
 ## @end deftypefn
 
 function say (template, varargin)

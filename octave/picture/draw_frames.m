@@ -16,6 +16,10 @@ function jobs = draw_frames (drawing, scratch)
   camera = fit_camera (drawing, frame_size/scale - [610 130]);
   [stress, range, unit] = body_stress (drawing.bodies);
   settings = scene_settings (drawing, camera);
+  slowed = drawing.frames_per_second/film_rate (drawing.frames_per_second);
+  if (slowed > 1)
+    settings.zoom = sprintf ("slowed × %.3g, %s", slowed, settings.zoom);
+  endif
   [settings.unit, settings.width, settings.height] = deal (scale, frame_size(1), frame_size(2));
   settings.stress = range;
   settings.stress_label = ["largest bending stress, " unit];
@@ -24,6 +28,9 @@ function jobs = draw_frames (drawing, scratch)
   settings.thickness = sprintf ("%.2f ", 2 * max ([drawing.bodies(coloured).half_height] / camera.pixel, 1.5));
   settings.t = padded_range (drawing.time);
   settings.t_step = tic_step (settings.t, 6);
+  if (numel (sprintf ("%g", settings.t_step)) > 4)
+    settings.t_step = tic_step (settings.t, 4);
+  endif
   write_text (fullfile (scratch, "settings.gp"), [gnuplot_settings(settings), strip_data(drawing)]);
 
   frames = numel (drawing.time);

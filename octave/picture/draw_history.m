@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{job} =} draw_history (@var{drawing}, @var{scratch})
 ## The time histories of @var{drawing} (see @code{draw_pictures}), @file{history.svg} beside the folder @var{scratch},
-## which takes the data, with the spectrum at the foot where the drawing has one. It is there when @var{job} has ended (see @code{finish_tool}).
+## which takes the data, with the spectrum at the foot where the drawing has one. It is there when @var{job} has ended
+## (see @code{finish_tool}).
 ## @end deftypefn
 
 function job = draw_history (drawing, scratch)

@@ -11,7 +11,7 @@ strip_height = strips < 2 ? 240 : (units_high - 210 - 30*(strips - 1))/strips
 bottom(i) = 65 + (strips - i)*(strip_height + 30)
 
 set cbrange [stress_low:stress_high]
-set cblabel stress_label textcolor rgb ink
+set cblabel stress_label textcolor rgb ink offset 0.3
 set colorbox user origin screen R(485),Y(65) size screen X(16),Y(units_high - 240)
 if (!coloured) { unset colorbox }
 

@@ -22,7 +22,7 @@ function drawing = rod_drawing (scene, model, history)
   body.stress = bending_stress (scene.rod, model, stations, history);
   drawing.bodies = body;
   drawing.hinges = struct ("x", zeros (size (history.t)), "y", zeros (size (history.t)));
-  drawing.strips = rod_strips (history, drawing.moment);
+  drawing.strips = rod_strips (history, drawing.moment, model.length);
   drawing.panels = rod_panels (history, model.length);
 endfunction
 

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{panels} =} rod_panels (@var{history}, @var{length})
-## What @file{history.svg} shows of a rod of a @var{length} (m) that was observed by @code{measure}, from top to bottom: a
-## struct array of panels (see @code{new_panel}).
+## What @file{history.svg} shows of a rod of a @var{length} (m) that was observed by @code{measure}, from top to
+## bottom: a struct array of panels (see @code{new_panel}).
 ## @end deftypefn
 
 function panels = rod_panels (history, length)

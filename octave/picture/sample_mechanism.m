@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{drawing} =} sample_mechanism (@var{frames})
-## A drawing (see @code{draw_pictures}) of two bodies to test the pictures with: a crank that turns on the ground, and a rod
-## that hangs from it by a pin, without a moment, gravity or stress.
+## A drawing (see @code{draw_pictures}) of two bodies to test the pictures with: a crank that turns on the ground, and
+## a rod that hangs from it by a pin, without a moment, gravity or stress.
 ## @end deftypefn
 
 function drawing = sample_mechanism (frames)

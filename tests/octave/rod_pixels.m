@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{found} =} rod_pixels (@var{picture}, @var{place}, @var{direction})
-## Where the coloured pixels of the rod lie in a @var{picture} (H-by-W-by-3), along the line through @var{place} ([column, row])
-## in the @var{direction} (a unit vector), within 14 pixels: [first, last], in pixels from the place; empty where there are none.
-## Paper, axes, ghost, trail and outlines are grey.
+## Where the coloured pixels of the rod lie in a @var{picture} (H-by-W-by-3), along the line through @var{place}
+## ([column, row]) in the @var{direction} (a unit vector), within 14 pixels: [first, last], in pixels from the place;
+## empty where there are none. Paper, axes, ghost, trail and outlines are grey.
 ## @end deftypefn
 
 function found = rod_pixels (picture, place, direction)

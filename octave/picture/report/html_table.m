@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{html} =} html_table (@var{head}, @var{cells}, @var{chosen})
-## A table of HTML: the names of its columns @var{head} (1-by-n cellstr, or @{@} for none), and @var{cells} (m-by-n texts or
-## numbers, as they are: they are escaped here). The row @var{chosen} (0 for none) stands out.
+## A table of HTML: the names of its columns @var{head} (1-by-n cellstr, or @{@} for none), and @var{cells} (m-by-n
+## texts or numbers, as they are: they are escaped here). The row @var{chosen} (0 for none) stands out.
 ## @end deftypefn
 
 function html = html_table (head, cells, chosen = 0)

@@ -34,7 +34,8 @@ function json = report_data (drawing)
   for i = 1:numel (drawing.bodies)
     data.bodies{i} = body_data (drawing.bodies(i), stress{i}, range, shown, data);
   endfor
-  data.hinges = arrayfun (@(i) hinge_data (drawing, i, shown, data.unit), 1:rows (drawing.hinges.x), "UniformOutput", false);
+  data.hinges = arrayfun (@(i) hinge_data (drawing, i, shown, data.unit), 1:rows (drawing.hinges.x), ...
+                         "UniformOutput", false);
   data.strips = arrayfun (@(strip) strip_data (strip, shown), drawing.strips(:).', "UniformOutput", false);
   json = strrep (jsonencode (data), "</", "<\\/");
 endfunction

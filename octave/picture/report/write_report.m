@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} write_report (@var{folder}, @var{drawing}, @var{scene}, @var{summary})
 ## @file{report.html} in a @var{folder} that has @file{figure3.svg} and @file{history.svg}: one page that needs no other
-## file and no network, made of the files beside this one. It animates @var{drawing} (see @code{draw_pictures}) and tells
-## what the @var{scene} and the @var{summary} (structs of any fields; see @code{summarise}) say.
+## file and no network, made of the files beside this one. It animates @var{drawing} (see @code{draw_pictures}) and
+## tells what the @var{scene} and the @var{summary} (structs of any fields; see @code{summarise}) say.
 ## @end deftypefn
 
 function write_report (folder, drawing, scene, summary)
@@ -22,7 +22,8 @@ function write_report (folder, drawing, scene, summary)
   page.history_text = html_escape (["Over time: " panels "."]);
   page.model = model_text (summary);
   page.command = html_escape (field_or (summary, "command", ""));
-  page.summary = html_table ({}, field_rows (without (summary, {"tried", "warnings", "seconds", "command", "model_reason"})));
+  page.summary = html_table ({}, field_rows (without (summary, ...
+                                                 {"tried", "warnings", "seconds", "command", "model_reason"})));
   page.seconds = html_table ({}, [fieldnames(summary.seconds), struct2cell(summary.seconds)]);
   page.parameters = html_table ({"field", "value"}, field_rows (scene));
   page.equations = equations ();
@@ -53,7 +54,8 @@ function html = model_text (summary)
   tried = field_or (summary, "tried", []);
   if (! isempty (tried))
     cells = [{tried.name}; {tried.error_m}; {tried.seconds}; {tried.calls}].';
-    html = [html, html_table({"tried", "error, m", "seconds", "calls"}, cells, find (strcmp ({tried.name}, summary.model), 1))];
+    html = [html, html_table({"tried", "error, m", "seconds", "calls"}, cells, ...
+                           find (strcmp ({tried.name}, summary.model), 1))];
   endif
 endfunction
 
@@ -122,8 +124,8 @@ endfunction
 %! assert (isempty (strfind (html, "{{")));
 %! data = regexp (html, '<script id="data" type="application/json">(.*?)</script>', "tokens"){1}{1};
 %! assert (numel (jsondecode (data).time), 5);
-%! for text = {"A &lt;rod&gt; &amp; &quot;more&quot;", "x &amp; &lt;y&gt;", "@(t) 3 * (t &lt; 1)", "MODES=&#39;1 2&#39;", "<mfrac>", ...
-%!             "prefers-color-scheme: dark", "width=device-width", "aria-label"}
+%! for text = {"A &lt;rod&gt; &amp; &quot;more&quot;", "x &amp; &lt;y&gt;", "@(t) 3 * (t &lt; 1)", "MODES=&#39;1 2&#39;", ...
+%!             "<mfrac>", "prefers-color-scheme: dark", "width=device-width", "aria-label"}
 %!   assert (! isempty (strfind (html, text{1})), text{1});
 %! endfor
 %!test # several bodies
@@ -133,7 +135,7 @@ endfunction
 %!  [~, dom] = system (["timeout 60 chromium --headless --no-sandbox --disable-gpu --virtual-time-budget=3000 --dump-dom " ...
 %!                      shell_string(["file://" file]) " 2>/dev/null"]);
 %!endfunction
-%!testif ; system ("command -v chromium >/dev/null") == 0 # Chromium runs it: all frames are known, the present one is told
+%!testif ; system ("command -v chromium >/dev/null") == 0 # Chromium runs it: all frames are known, the present one told
 %! for drawing = {sample_drawing(5), sample_mechanism(4)}
 %!   dom = report_of (drawing{1}, @browsed);
 %!   assert (! isempty (strfind (dom, sprintf ("data-drawn=\"%d\"", numel (drawing{1}.time)))));
