@@ -44,6 +44,6 @@ if (spectrum) {
   set label 2 spectrum_label noenhanced
   do for [f in predicted] { set arrow from real(f), graph 0 to real(f), graph 1 nohead dt 2 lw 1 lc rgb ink back }
   plot for [k=1:words(spectrum_names)] $spectrum using 1:k+1 with lines lt k lw 1 title word(spectrum_names, k), \
-       NaN with lines dt 2 lw 1 lc rgb ink title (words(predicted) > 0 ? "predicted" : "")
+       NaN with lines dt 2 lw 1 lc rgb ink title (words(predicted) > 0 ? "predicted, at rest" : "")
 }
 unset multiplot

@@ -7,8 +7,9 @@
 function strips = rod_strips (history, moment, length)
   strips = new_panel ("φ", "°", {"φ"}, rad2deg (history.phi));
   strips(2) = new_panel ("dφ/dt", "rad/s", {"dφ/dt"}, history.phi_dot);
-  strips(3) = new_panel ("M", "N m", {"M"}, moment);
-  if (! any (moment))
+  if (any (moment))
+    strips(3) = new_panel ("M", "N m", {"M"}, moment);
+  elseif (! isempty (history.V))
     [~, across] = tip_deflection (history, length);
     strips(3) = new_panel ("tip across the tangent", "m", {"tip"}, across);
   endif
