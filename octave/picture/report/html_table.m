@@ -19,13 +19,14 @@ endfunction
 
 function html = cell_of (value)
   if (isnumeric (value) && isscalar (value))
-    html = ["<td class=\"number\">" sprintf("%.4g", value) "</td>"];
+    html = ["<td class=\"number\">" sprintf({"%.4g", "%d"}{1 + (value == fix (value))}, value) "</td>"];
   else
     html = ["<td>" html_escape(value) "</td>"];
   endif
 endfunction
 
 %!test
-%! html = html_table ({"a<b"}, {"x&y"; 0.25}, 2);
+%! html = html_table ({"a<b"}, {"x&y"; 0.25; 50844}, 2);
 %! assert (! isempty (strfind (html, "<th scope=\"col\">a&lt;b</th>")));
+%! assert (! isempty (strfind (html, ">50844<")));
 %! assert (! isempty (strfind (html, "<tr class=\"chosen\"><td class=\"number\">0.25</td></tr>")));

@@ -10,13 +10,13 @@ function write_report (folder, drawing, scene, summary)
   part = @(name) fileread (fullfile (here, name));
   picture = @(name, text) inline_svg (fileread (fullfile (folder, [name ".svg"])), name, text);
   seconds = sprintf ("%.3g s", drawing.time(end) - drawing.time(1));
-  panels = strjoin ({drawing.panels.label}, ", ");
+  panels = labels (drawing.panels);
 
   page.title = html_escape (drawing.title);
   page.warnings = warning_list (summary);
   page.scene_text = html_escape (sprintf ("Animation of %s: %d bodies move for %s; the deformation is drawn %g times.", ...
                                           drawing.title, numel (drawing.bodies), seconds, drawing.zoom));
-  page.strips_text = html_escape (["Over time: " strjoin({drawing.strips.label}, ", ")]);
+  page.strips_text = html_escape (["Over time: " labels(drawing.strips)]);
   page.figure3 = picture ("figure3", ["The bodies at even times over " seconds]);
   page.history = picture ("history", ["Over " seconds ": " panels]);
   page.history_text = html_escape (["Over time: " panels "."]);
@@ -31,6 +31,13 @@ function write_report (folder, drawing, scene, summary)
   page.style = part ("report.css");
   page.script = part ("report.js");
   write_text (fullfile (folder, "report.html"), fill (part ("report.html"), page));
+endfunction
+
+function text = labels (panels)
+  text = "";
+  if (! isempty (panels))
+    text = strjoin ({panels.label}, ", ");
+  endif
 endfunction
 
 ## Every {{name}} is replaced at once: what is filled in is not looked at again.
@@ -130,6 +137,11 @@ endfunction
 %! endfor
 %!test # several bodies
 %! check_tags (report_of (sample_mechanism (3), @fileread));
+%!test # free bodies, nothing beside them
+%! drawing = sample_mechanism (2);
+%! drawing.hinges = struct ("x", zeros (0, 2), "y", zeros (0, 2));
+%! [drawing.strips, drawing.panels] = deal ([]);
+%! check_tags (report_of (drawing, @fileread));
 
 %!function dom = browsed (file)
 %!  [~, dom] = system (["timeout 60 chromium --headless --no-sandbox --disable-gpu --virtual-time-budget=3000 --dump-dom " ...
