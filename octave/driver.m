@@ -7,7 +7,8 @@
 ## "auto"), "solver" (a name), "tolerance" (m, or "pixel"), "size" ([W H] of a frame in pixels); and "output" is the
 ## folder to write into (default output/NAME; "" writes nothing).
 ##
-## @var{result} has the fields scene, model, history and summary.
+## @var{result} has the fields scene, model, history and summary; of a scene of several bodies it is what
+## @code{simulate_mechanism} returns.
 ##
 ## @example
 ## result = driver ("paper", "modes", [0 4], "solver", "ode45", "tolerance", 1e-6);
@@ -19,6 +20,10 @@ function result = driver (scene = "paper", varargin)
   command = repeat_command (scene, varargin);
   [scene, name] = load_scene (scene);
   [scene, folder] = take_options (scene, fullfile ("output", name), varargin);
+  if (isfield (scene, "bodies"))
+    result = simulate_mechanism (scene, name, folder);
+    return;
+  endif
   scene = check_scene (scene);
   if (isempty (scene.title))
     scene.title = name;

@@ -6,12 +6,9 @@
 ## @end deftypefn
 
 function stepper = generalized_alpha (system, h, solver)
-  rho = solver.rho_infinity;
-  c = struct ("h", h, "m", (2*rho - 1)/(rho + 1), "f", rho/(rho + 1));
-  c.gamma = 1/2 + c.f - c.m;
-  c.beta = (c.gamma + 1/2)^2/4;
+  c = alpha_coefficients (solver.rho_infinity);
+  c.h = h;
   c.n = rows (system.mass);
-  c.part = (1 - c.f)/(1 - c.m);
   effective = system.mass + c.part*c.beta*h^2*system.stiffness;
   if (isfield (system, "damping_matrix"))
     effective += c.part*c.gamma*h*system.damping_matrix;

@@ -10,23 +10,7 @@ function scene = check_scene (given)
   if (! (isstruct (given) && isscalar (given)))
     scene_error ("a scene is a function that returns a struct, not a %s", class (given));
   endif
-  fields = scene_fields ();
-  refuse_unknown (given, "", fields(:,1));
-  scene = struct ();
-  for field = fields.'
-    [name, value, kind] = field{:};
-    path = strsplit (name, ".");
-    if (has_field (given, path) && ! (isequal (value, []) && isequal (getfield (given, path{:}), [])))
-      value = getfield (given, path{:});
-      got = value_error (kind, value);
-      if (! isempty (got))
-        scene_error ("%s is %s: it takes %s", name, got, kind);
-      endif
-    elseif (isnumeric (value) && isscalar (value) && isnan (value))
-      scene_error ("%s is missing: it takes %s", name, kind);
-    endif
-    scene = setfield (scene, path{:}, value);
-  endfor
+  scene = take_fields (given, scene_fields (), "a scene");
   check_section (scene.rod);
   scene.moment_breaks = unique (scene.moment_breaks(:).');
   scene.moment = moment_function (scene.moment, scene.duration);
@@ -67,33 +51,6 @@ function check_values (scene, name, numbers, meaning)
       scene_error ("%s gives %s at t = %g: it takes %d numbers, %s", name, mat2str (value), t, numbers, meaning);
     endif
   endfor
-endfunction
-
-function refuse_unknown (given, prefix, names)
-  for [value, key] = given
-    name = [prefix key];
-    if (any (strncmp ([name "."], names, numel (name) + 1)))
-      if (! (isstruct (value) && isscalar (value)))
-        scene_error ("%s is a %s: it takes a struct", name, class (value));
-      endif
-      refuse_unknown (value, [name "."], names);
-    elseif (! any (strcmp (name, names)))
-      scene_error ("%s is not a field of a scene: those are %s", name, strjoin (names.', ", "));
-    endif
-  endfor
-endfunction
-
-function found = has_field (given, path)
-  found = isfield (given, path{1}) && (numel (path) == 1 || isfield (given.(path{1}), path{2}));
-endfunction
-
-function check_section (rod)
-  own = ! cellfun (@isempty, {rod.EA, rod.EI, rod.rhoA});
-  if (any (own) && ! all (own))
-    scene_error ("rod.EA, rod.EI and rod.rhoA are given together or not at all");
-  elseif (! any (own) && (isempty (rod.width) || isempty (rod.half_height)))
-    scene_error ("rod.width and rod.half_height are missing: they take positive numbers in m");
-  endif
 endfunction
 
 function moment = moment_function (moment, duration)

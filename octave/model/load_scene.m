@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{scene}, @var{name}] =} load_scene (@var{which})
 ## The scene of a function in octave/scenes/, by its name, or of a function file of one's own, by its path.
-## A struct is taken as it is.
+## A struct is taken as it is; "chain(20)" calls the function with the number.
 ## @end deftypefn
 
 function [scene, name] = load_scene (which)
@@ -12,6 +12,8 @@ function [scene, name] = load_scene (which)
   elseif (! (ischar (which) && rows (which) == 1))
     scene_error ("a scene is a name, a path or a struct, not a %s", class (which));
   endif
+  [which, number] = strtok (which, "(");  # SCENE="chain(20)"
+  number = sscanf (number, "(%f)");
   [folder, name, extension] = fileparts (which);
   if (isempty (folder))
     folder = shipped;
@@ -26,21 +28,22 @@ function [scene, name] = load_scene (which)
   elseif (! isvarname (name))
     scene_error ("the scene's file %s needs the name of a function", file);
   endif
-  scene = evaluate (file, name);
+  scene = evaluate (file, name, num2cell (number));
 endfunction
 
-function scene = evaluate (file, name)
+function scene = evaluate (file, name, arguments)
   before = path ();
   unwind_protect
     addpath (fileparts (file));
     clear (name);
-    scene = feval (name);
+    scene = feval (name, arguments{:});
   unwind_protect_cleanup
     path (before);
   end_unwind_protect
 endfunction
 
 %!assert (load_scene ("paper").duration, 1.8)
+%!assert (numel (load_scene ("chain(3)").bodies), 3)
 %!error <no scene "nowhere": it is one of axial_shock, .*paper,> load_scene ("nowhere")
 %!error <a scene is a name, a path or a struct, not a double> load_scene (3)
 %!test # a file of one's own, in a folder with a space

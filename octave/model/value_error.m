@@ -23,6 +23,8 @@ function good = is_of_kind (kind, value)
     good = isscalar (value) && (islogical (value) || (number && any (value == [0 1])));
   elseif (is_function_handle (value))
     good = ! isempty (strfind (kind, "function"));
+  elseif (strncmp (kind, "struct array", 12))
+    good = iscell (value) || isstruct (value);
   elseif (strncmp (kind, "vector", 6))
     good = isnumeric (value) && isreal (value) && (isvector (value) || isempty (value)) && all (isfinite (value(:)));
   elseif (! isempty (strfind (kind, "[N1 N2]")))

@@ -23,15 +23,11 @@ function history = measure (system, model, times, states)
   history.psi = rod_tangent_angle (motion.phi, motion.q, a.slope_1, a.slope_2);
   E = system.energies (motion.phi, motion.phi_dot, motion.q, motion.q_dot);
   [history.T, history.U, history.Z] = deal (E(1,:), E(2,:), E(3,:));
-  history.V_names = [numbered("V1", model.base.longitudinal), numbered("V2", model.base.transversal)];
+  history.V_names = mode_names (model.base);
   [history.tip_x, history.tip_y] = centreline (model, model.length, history, 1);
   history.W = states(end-1,:);
   history.D = states(end,:);
   history.balance = history.T + history.U + history.Z + history.D - history.W;
-endfunction
-
-function names = numbered (name, numbers)
-  names = arrayfun (@(k) sprintf ("%s_%d", name, k), numbers, "uniformoutput", false);
 endfunction
 
 %!test # a rigid rod at rest

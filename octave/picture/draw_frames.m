@@ -81,8 +81,8 @@ endfunction
 %!test # more frames than processors
 %! sizes_are_right (sample_drawing (5), [1280 720]);
 %!test # bodies that are pinned together, and bodies that are free, with nothing beside them
-%! sizes_are_right (sample_mechanism (2), [1280 720]);
-%! drawing = sample_mechanism (1);
+%! sizes_are_right (sample_bodies (2), [1280 720]);
+%! drawing = sample_bodies (1);
 %! drawing.hinges = struct ("x", zeros (0, 1), "y", zeros (0, 1));
 %! drawing.strips = [];
 %! drawing.frame_size = [400 600];

@@ -18,27 +18,12 @@ function drawing = rod_drawing (scene, model, history)
   drawing.moment_breaks = scene.moment_breaks;
   [body.x, body.y] = centreline (model, stations, history, scene.zoom);
   [body.rest_x, body.rest_y] = centreline (model, stations, history, 0);
-  body.half_height = drawn_half_height (scene.rod);
-  body.stress = bending_stress (scene.rod, model, stations, history);
+  body.half_height = [scene.rod.half_height, scene.rod.length/100](1);
+  body.stress = bending_stress (scene.rod, model, stations, history.V);
   drawing.bodies = body;
   drawing.hinges = struct ("x", zeros (size (history.t)), "y", zeros (size (history.t)));
   drawing.strips = rod_strips (history, drawing.moment, model.length);
   drawing.panels = rod_panels (history, model.length);
-endfunction
-
-function half_height = drawn_half_height (rod)
-  half_height = [rod.half_height, rod.length/100](1);
-endfunction
-
-## E I v2,11 is the bending moment; its stress is largest at half_height.
-function stress = bending_stress (rod, model, stations, history)
-  stress = [];
-  if (! isempty (rod.half_height) && ! isempty (model.base.transversal) && ! isempty (rod.width))
-    [j, xi1] = meshgrid (model.base.transversal, stations);
-    V2 = history.V(numel (model.base.longitudinal)+1:end,:);
-    stress = rod_bending_stress (rod_curvature_transversal (j, xi1, model.length)*V2, rod.half_height, ...
-                                 rod.lambda, rod.mu);
-  endif
 endfunction
 
 %!test

@@ -111,7 +111,7 @@ endfunction
 %! drawing.strips(1).values = [0 0];
 %! assert (isempty (strfind (report_data (drawing), "null")));
 %!test # two bodies: the pin is the end of the first
-%! data = jsondecode (report_data (sample_mechanism (4)));
+%! data = jsondecode (report_data (sample_bodies (4)));
 %! assert ([data.hinges.body], [0 0]); assert ([data.hinges.point], [0 1]); assert ([data.hinges.ground], [true false]);
 %! assert (data.stress, false);
 %!test # a text cannot end the script that it stands in

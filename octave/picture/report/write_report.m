@@ -136,9 +136,9 @@ endfunction
 %!   assert (! isempty (strfind (html, text{1})), text{1});
 %! endfor
 %!test # several bodies
-%! check_tags (report_of (sample_mechanism (3), @fileread));
+%! check_tags (report_of (sample_bodies (3), @fileread));
 %!test # free bodies, nothing beside them
-%! drawing = sample_mechanism (2);
+%! drawing = sample_bodies (2);
 %! drawing.hinges = struct ("x", zeros (0, 2), "y", zeros (0, 2));
 %! [drawing.strips, drawing.panels] = deal ([]);
 %! check_tags (report_of (drawing, @fileread));
@@ -148,7 +148,7 @@ endfunction
 %!                      shell_string(["file://" file]) " 2>/dev/null"]);
 %!endfunction
 %!testif ; system ("command -v chromium >/dev/null") == 0 # Chromium runs it: all frames are known, the present one told
-%! for drawing = {sample_drawing(5), sample_mechanism(4)}
+%! for drawing = {sample_drawing(5), sample_bodies(4)}
 %!   dom = report_of (drawing{1}, @browsed);
 %!   assert (! isempty (strfind (dom, sprintf ("data-drawn=\"%d\"", numel (drawing{1}.time)))));
 %!   assert (! isempty (regexp (dom, '<p id="state">t = 0.00 s; [^<]+:')));

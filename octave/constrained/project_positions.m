@@ -1,0 +1,27 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{q}, @var{residual}] =} project_positions (@var{system}, @var{t}, @var{q})
+## The coordinates near @var{q} (n-by-1) that meet the constraints at the time @var{t} (s), by Newton's iteration with the
+## shortest steps in the mass metric, and the largest @var{residual} left.
+## @end deftypefn
+
+function [q, residual] = project_positions (system, t, q)
+  residual = Inf;
+  for iteration = 1:50
+    at = system.at (t, q, 0*q);
+    [mass, jacobian] = system.matrices (at);
+    last = residual;
+    residual = max ([abs(at.constraints.residual); 0]);
+    if (residual < 1e-14 || (residual < 1e-11 && residual > last/4))
+      return;
+    endif
+    step = saddle_solve (system, 0, mass, jacobian, 0*q, -at.constraints.residual);
+    largest = max (abs (step)./system.q_scale);
+    q += step*min (1, 0.5/largest);  # half a metre, half a radian on a rod of a metre
+  endfor
+endfunction
+
+%!test # onto a circle, the nearest way
+%! system = struct ("q_scale", [1; 1]);
+%! system.at = @(t, q, v) struct ("constraints", struct ("residual", q.'*q - 1), "q", q);
+%! system.matrices = @(at) deal (speye (2), sparse (2*at.q.'));
+%! assert (project_positions (system, 0, [3; 4]), [0.6; 0.8], 1e-10);

@@ -1,0 +1,115 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{next}, @var{error_ratio}, @var{stages}, @var{why}] =} radau_step (@var{system}, @var{rule}, @var{t}, @var{y}, @var{h}, @var{last}, @var{tolerance})
+## One step of @code{integrate_radau} from the state @var{y} (q, v, a, lambda, W, D) at @var{t} to t + @var{h} (s).  The @var{stages} of the
+## @var{last} step give the first guess.  @var{error_ratio} > 1: refused, and @var{why}.
+## @end deftypefn
+
+function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, last, tolerance)
+  [n, c] = deal (system.n, system.constraint_count);
+  scale = tolerance*system.q_scale;
+  [q, v, lambda] = first_guess (rule, y, h, last);
+  s = numel (rule.c);
+  mu = zeros (c, s);
+  middle = system.at (t + h*rule.c((s+1)/2), q(:,(s+1)/2), v(:,(s+1)/2));
+  [mass, jacobian] = system.matrices (middle);
+  factors = factorise (system, rule, mass, jacobian, h);
+  inverse = inv (rule.A).'/h;
+  [next, stages, error_ratio, change] = deal (y, [], 10, Inf);
+  why = "its Newton iteration did not converge";
+  for iteration = 1:15
+    at = system.at (t + h*rule.c, q, v);
+    u = (q - y.q)*inverse;
+    a = (v - y.v)*inverse;
+    residual = [system.inertia(at, u - v) + system.reaction(at, mu)
+                system.inertia(at, a) - at.force + system.reaction(at, lambda)
+                at.constraints.residual*factors.unit/h
+                at.constraints.velocity*factors.unit];
+    if (! all (isfinite (residual(:))))
+      why = "its loads or states are no numbers";
+      return;
+    endif
+    step = solve_stages (rule, factors, -residual);
+    q += step(1:n,:);
+    v += step(n+1:2*n,:);
+    lambda += step(2*n+1:2*n+c,:)*factors.unit;
+    mu += step(2*n+c+1:end,:)*factors.unit;
+    [before, change] = deal (change, max (max (abs ([step(1:n,:); h*step(n+1:2*n,:)])./[scale; scale])));
+    if (! (change < 1e8) || (iteration > 3 && change > 0.9*before && change > 1e-6))
+      return;
+    elseif (change <= 1e-3 && max (abs (at.constraints.residual)(:)) <= 1e-11 && max (abs (at.constraints.velocity)(:)) <= 1e-9 ...
+            || change < 1e-7)
+      why = "its steps shrank to nothing";
+      break;
+    endif
+  endfor
+  if (iteration == 15)
+    return;
+  endif
+  a = (v - y.v)*inverse;
+  stages = struct ("q", q, "v", v, "lambda", lambda, "h", h, "q_start", y.q, "v_start", y.v);
+  error_ratio = embedded_error (rule, factors, mass, y, q - y.q, v - y.v, h, scale);
+  weights = rule.A(s,:).';
+  power = at.power + sum (lambda.*at.constraints.rate, 1);
+  next = struct ("q", q(:,s), "v", v(:,s), "a", a(:,s), "lambda", lambda(:,s), "W", y.W + h*power*weights, ...
+                 "D", y.D + h*at.dissipated*weights);
+endfunction
+
+## the last step's polynomials, or Taylor's
+function [q, v, lambda] = first_guess (rule, y, h, last)
+  if (isempty (last))
+    q = y.q + y.v*(h*rule.c) + y.a*((h*rule.c).^2/2);
+    v = y.v + y.a*(h*rule.c);
+    lambda = repmat (y.lambda, 1, numel (rule.c));
+    return;
+  endif
+  at = 1 + h/last.h*rule.c.';
+  nodes = [0; rule.c.'];
+  s = numel (rule.c);
+  basis = (at.^(0:s))/(nodes.^(0:s));
+  q = [last.q_start, last.q]*basis.';
+  v = [last.v_start, last.v]*basis.';
+  lambda = last.lambda*((at.^(0:s-1))/(rule.c.'.^(0:s-1))).';
+endfunction
+
+## for the real eigenvalue and one of each pair; multipliers in units of the mass, so that rows and columns are of like size
+function factors = factorise (system, rule, mass, jacobian, h)
+  [n, c] = deal (system.n, system.constraint_count);
+  factors.unit = mean (abs (diag (mass)));
+  J = factors.unit*jacobian;
+  none = sparse (c, c);
+  wide = sparse (c, n);
+  factors.h = h;
+  for i = 1:(numel (rule.c) + 1)/2
+    g = rule.eigenvalues(2*i - 2 + (i == 1))/h;
+    matrix = [g*mass, -mass, wide.', J.'; system.stiffness, g*mass + system.damping_matrix, J.', wide.'; J/h, wide, none, none; wide, J, none, none];
+    [factors.L{i}, factors.U{i}, factors.P{i}, factors.Q{i}] = lu (matrix);
+  endfor
+endfunction
+
+function step = solve_stages (rule, factors, right)
+  right = right*inv (rule.T).';
+  w = zeros (size (right));
+  for i = 1:numel (factors.L)
+    k = 2*i - 2 + (i == 1);
+    w(:,k) = factors.Q{i}*(factors.U{i} \ (factors.L{i} \ (factors.P{i}*right(:,k))));
+    w(:,2*i-1) = [conj(w(:,k)), w(:,k)](:,1 + (i == 1));
+  endfor
+  step = real (w*rule.T.');
+endfunction
+
+## filtered by the real factors, so that stiff modes count as what they will be
+function ratio = embedded_error (rule, factors, mass, y, Z_q, Z_v, h, scale)
+  n = rows (mass);
+  g = real (rule.eigenvalues(1));
+  right = [mass*(y.v + Z_q*rule.e.'/h); mass*(y.a + Z_v*rule.e.'/h)];
+  right(end+1:rows (factors.P{1})) = 0;
+  found = real (factors.Q{1}*(factors.U{1} \ (factors.L{1} \ (factors.P{1}*right))));
+  ratio = max (max (abs ([found(1:n); h*found(n+1:2*n)])./[scale; scale]));
+endfunction
+
+%!test # one step leaves positions and velocities on their constraints
+%! [system, start] = sample_mechanism ([0 1]);
+%! states = integrate_radau (system, [0 0.01], start, struct ("tolerance", 1e-4));
+%! at = system.at (0.01, states.q(:,2), states.v(:,2));
+%! assert (max (abs (at.constraints.residual)) < 1e-10);
+%! assert (max (abs (at.constraints.velocity)) < 1e-8);

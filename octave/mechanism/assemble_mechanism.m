@@ -1,0 +1,99 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{start}, @var{warnings}] =} assemble_mechanism (@var{scene}, @var{mechanism}, @var{system})
+## The first state, a struct of q, v, W, D: what the scene states, brought onto the constraints by projection in the mass
+## metric; @var{warnings} (cellstr) say what that changed, and which bodies hang on nothing.
+##
+## A mechanism that cannot be assembled is an error that names the joints that stay apart, one whose constraints depend
+## on each other one that names these.
+## @end deftypefn
+
+function [start, warnings] = assemble_mechanism (scene, mechanism, system)
+  [given_q, given_v] = placed_bodies (scene, mechanism);
+  [q, residual] = project_positions (system, 0, given_q);
+  if (! (residual < 1e-9))
+    refuse_open (scene, mechanism, system, q);
+  endif
+  at = system.at (0, q, given_v);
+  [mass, jacobian] = system.matrices (at);
+  refuse_dependent (system, 0, jacobian);
+  v = project_velocities (system, 0, q, given_v);
+  start = struct ("q", q, "v", v, "W", 0, "D", 0);
+  warnings = [what_moved(q - given_q, v - given_v, mechanism, scene), loose_bodies(scene), locked(scene, system)];
+endfunction
+
+function refuse_open (scene, mechanism, system, q)
+  residual = abs (system.at (0, q, 0*q).constraints.residual);
+  joints = mechanism.constraints.joint(residual > max (residual)/100);
+  names = unique ({scene.joints(joints).name});
+  bodies = unique ([scene.joints(joints).bodies]);
+  scene_error ("the mechanism cannot be assembled: %s stay apart by %.3g m (or rad); the loop through %s does not close", ...
+               strjoin (names, ", "), max (residual), strjoin ({scene.bodies(bodies(bodies > 0)).name}, ", "));
+endfunction
+
+function warnings = what_moved (dq, dv, mechanism, scene)
+  warnings = {};
+  for k = 1:numel (scene.bodies)
+    index = index_of (mechanism, k);
+    l = scene.bodies(k).rod.length;
+    metres = abs ([dq(index), dv(index)]).*[ones(numel (index) - 3, 1); l; 1; 1];
+    moved = max (metres, [], 1);
+    if (any (moved > 1e-9*[l, max(l, 1)]))
+      warnings{end+1} = sprintf ("%s was moved by %.2g m and %.2g m/s to meet its joints", scene.bodies(k).name, moved);
+    endif
+  endfor
+endfunction
+
+function warnings = locked (scene, system)
+  warnings = {};
+  driven = any (cellfun (@(kind) ! isempty (kind), {system.mechanism.constraints.kinds.moving}));
+  if (system.n == system.constraint_count && ! driven)
+    warnings = {sprintf("the mechanism is locked: %d constraints on %d coordinates, and no joint is driven", ...
+                        system.constraint_count, system.n)};
+  endif
+endfunction
+
+function warnings = loose_bodies (scene)
+  tied = false (1, numel (scene.bodies));
+  do
+    before = sum (tied);
+    for joint = scene.joints(:).'
+      on = joint.bodies(joint.bodies > 0);
+      if (any (joint.bodies == 0) || any (tied(on)))
+        tied(on) = true;
+      endif
+    endfor
+  until (sum (tied) == before)
+  warnings = cellfun (@(name) sprintf ("%s hangs on nothing: no joints lead from it to the ground", name), ...
+                      {scene.bodies(! tied).name}, "uniformoutput", false);
+endfunction
+
+%!function scene = bars (coupler)
+%!  rod = @(l) struct ("rod", struct ("length", l, "EA", 1, "EI", 1, "rhoA", 1), "model", struct ("modes", [0 0]));
+%!  scene.bodies = {rod(0.2), setfield(rod (coupler), "initial", struct ("phi", 0.5)), setfield(rod (0.5), "initial", struct ("phi", 1.5))};
+%!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), ...
+%!                  struct("kind", "revolute", "bodies", [1 2], "stations", [0.2 0]), ...
+%!                  struct("kind", "revolute", "bodies", [2 3], "stations", [coupler 0.5], "name", "pin"), ...
+%!                  struct("kind", "revolute", "bodies", 3, "stations", 0, "point", [0.6 0])};
+%!  scene.duration = 1;
+%!endfunction
+%!function [start, warnings, system] = assembled (scene)
+%!  scene = check_mechanism (scene);
+%!  mechanism = build_mechanism (scene, mechanism_rungs (scene, zeros (1, numel (scene.bodies))));
+%!  system = mechanism_system (scene, mechanism);
+%!  [start, warnings] = assemble_mechanism (scene, mechanism, system);
+%!endfunction
+%!test # a loop closes, and what moved is said
+%! [start, warnings, system] = assembled (bars (0.7));
+%! assert (max (abs (system.at (0, start.q, start.v).constraints.residual)) < 1e-11);
+%! assert (! isempty (strfind (warnings{1}, "was moved by")));
+%!error <cannot be assembled: .*; the loop through .*body 2.* does not close> assembled (bars (2))
+%!error <[0-9] of 9 constraints depend on the others, those of .*: take a joint of another kind there, or none>
+%! scene = bars (0.7); scene.joints{5} = struct ("kind", "slider", "bodies", 3, "stations", 0, "point", [0.6 0]); assembled (scene);
+%!test # what hangs on nothing, and what cannot move
+%! scene = bars (0.7); scene.joints(4) = [];
+%! scene.joints(1) = [];
+%! [~, warnings] = assembled (scene);
+%! assert (any (! cellfun (@isempty, strfind (warnings, "hangs on nothing"))));
+%! scene = bars (0.7); scene.joints{5} = struct ("kind", "angle", "bodies", 1, "stations", 0);
+%! [~, warnings] = assembled (scene);
+%! assert (any (! cellfun (@isempty, strfind (warnings, "is locked"))));

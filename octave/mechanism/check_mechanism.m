@@ -1,0 +1,126 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{scene} =} check_mechanism (@var{given})
+## The scene of a mechanism with all its fields (see @code{mechanism_fields}): those @var{given}, checked, and defaults for
+## the others; bodies and joints become struct arrays, a joint's bodies two numbers (0: the ground).
+## @end deftypefn
+
+function scene = check_mechanism (given)
+  [fields, of_body, of_joint] = mechanism_fields ();
+  scene = take_fields (given, fields, "a scene of bodies");
+  scene.bodies = checked_list (scene.bodies, of_body, "bodies", @check_body);
+  scene.joints = checked_list (scene.joints, of_joint, "joints", @(joint, what) check_joint (joint, what, scene));
+  scene.breaks = unique (scene.breaks(:).');
+endfunction
+
+function list = checked_list (given, fields, name, check)
+  if (isstruct (given))
+    given = num2cell (given);
+  endif
+  list = struct ([]);
+  for k = 1:numel (given)
+    what = sprintf ("%s(%d)", name, k);
+    if (! (isstruct (given{k}) && isscalar (given{k})))
+      scene_error ("%s is a %s: it takes a struct", what, class (given{k}));
+    endif
+    item = check (take_fields (given{k}, fields, what), what);
+    if (isempty (item.name))
+      item.name = sprintf ("%s %d", name(1:end-1), k);
+      item.name = strrep (item.name, "bodie ", "body ");
+    endif
+    list = [list, item];
+  endfor
+endfunction
+
+function body = check_body (body, what)
+  check_section (body.rod, [what "."]);
+  if (strcmp (body.model.axial, "quasistatic"))
+    scene_error ("%s.model.axial is \"quasistatic\": a rod of a mechanism takes \"dynamic\" or \"none\"", what);
+  endif
+endfunction
+
+function joint = check_joint (joint, what, scene)
+  bodies = joint.bodies(:).';
+  if (! any (numel (bodies) == [1 2]) || any (bodies != fix (bodies)) || bodies(1) < 1 || any (bodies < 0) ...
+      || any (bodies > numel (scene.bodies)) || (numel (bodies) == 2 && bodies(1) == bodies(2)))
+    scene_error ("%s.bodies is [%s]: it takes a body's number from 1 to %d, and another's or 0 for the ground", what, ...
+                 num2str (bodies), numel (scene.bodies));
+  endif
+  joint.bodies = [bodies, 0](1:2);
+  on = joint.bodies(joint.bodies > 0);
+  if (numel (joint.stations) != numel (on))
+    scene_error ("%s.stations are [%s]: it takes a station on each of its %d bodies", what, num2str (joint.stations(:).'), ...
+                 numel (on));
+  endif
+  for k = 1:numel (on)
+    length = scene.bodies(on(k)).rod.length;
+    if (joint.stations(k) < 0 || joint.stations(k) > length)
+      scene_error ("%s.stations(%d) is %g: body %d has places from 0 to %g m", what, k, joint.stations(k), on(k), length);
+    endif
+  endfor
+  joint.stations = [joint.stations(:).', 0](1:2);
+  if (numel (joint.point) != 2)
+    scene_error ("%s.point has %d numbers: it takes [x y] in m", what, numel (joint.point));
+  endif
+  joint.constant = isnumeric (joint.value);
+  joint.value = value_function (joint, what, scene);
+endfunction
+
+## values as a function of t that returns them in columns, with two rates where a constraint prescribes them
+function value = value_function (joint, what, scene)
+  kind = joint_kinds ()(strcmp ({joint_kinds().name}, joint.kind));
+  orders = 1 + 2*! isempty (kind.constraints);
+  value = joint.value;
+  if (kind.values == 0)
+    values = zeros (3);
+    values(1,3) = turned (joint, scene.bodies);  # a weld's tangents stay as they begin
+    value = @(t) values;
+    return;
+  elseif (isnumeric (value))
+    constant = zeros (orders, kind.values);
+    constant(1,:) = value;
+    value = @(t) constant;
+  else
+    value = @(t) reshape (joint.value (t), orders, kind.values);
+  endif
+  for t = [0, 0.5, 1]*scene.duration
+    try
+      got = value (t);
+    catch err
+      scene_error ("%s.value fails at t = %g: %s", what, t, err.message);
+    end_try_catch
+    if (! (isnumeric (got) && isreal (got) && all (isfinite (got(:)))))
+      scene_error ("%s.value gives %s at t = %g: it takes finite numbers", what, mat2str (got), t);
+    endif
+  endfor
+endfunction
+
+function angle = turned (joint, bodies)
+  angle = bodies(joint.bodies(1)).initial.phi;
+  if (joint.bodies(2) > 0)
+    angle -= bodies(joint.bodies(2)).initial.phi;
+  else
+    angle -= joint.direction;
+  endif
+endfunction
+
+%!function scene = two ()
+%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1e6, "EI", 20, "rhoA", 1)), ...
+%!                  struct("rod", struct ("length", 2, "width", 0.02, "half_height", 0.01))};
+%!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), struct("kind", "revolute", "bodies", [1 2], "stations", [1 0])};
+%!  scene.duration = 1;
+%!endfunction
+%!test
+%! scene = check_mechanism (two ());
+%! assert (scene.joints(1).bodies, [1 0]); assert (scene.joints(2).stations, [1 0]); assert (scene.bodies(2).name, "body 2");
+%!error <joints\(1\).kind is "glue": it takes "revolute", "weld",>
+%! scene = two (); scene.joints{1}.kind = "glue"; check_mechanism (scene);
+%!error <joints\(2\).bodies is \[1  3\]: it takes a body's number from 1 to 2>
+%! scene = two (); scene.joints{2}.bodies = [1 3]; check_mechanism (scene);
+%!error <joints\(2\).stations\(1\) is 1.5: body 1 has places from 0 to 1 m>
+%! scene = two (); scene.joints{2}.stations = [1.5 0]; check_mechanism (scene);
+%!error <bodies\(1\).rod.length is -1: it takes positive number in m>
+%! scene = two (); scene.bodies{1}.rod.length = -1; check_mechanism (scene);
+%!error <bodies\(2\).rod.width and>
+%! scene = two (); scene.bodies{2}.rod.width = []; check_mechanism (scene);
+%!error <joints\(3\).value gives \[1;NaN;0\] at t = 0: it takes finite numbers>
+%! scene = two (); scene.joints{3} = struct ("kind", "angle", "bodies", 1, "stations", 0, "value", @(t) [1 NaN 0]); check_mechanism (scene);

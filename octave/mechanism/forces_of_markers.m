@@ -1,0 +1,29 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{forces} =} forces_of_markers (@var{mechanism}, @var{at}, @var{F})
+## Generalized forces (n-by-k) of forces and moments on the markers, @var{F} = struct of x, y (N), angle (N m; markers-by-k),
+## in the states that @var{at} came from (see @code{marker_motion}).
+## @end deftypefn
+
+function forces = forces_of_markers (mechanism, at, F)
+  k = columns (F.x);
+  forces = zeros (mechanism.n, k);
+  for part = at.parts
+    part = part{1};
+    i = part.numbers;
+    on_bodies = part.x_q.*reshape (F.x(i,:), 1, []) + part.y_q.*reshape (F.y(i,:), 1, []) ...
+                + part.angle_q.*reshape (F.angle(i,:), 1, []);
+    forces(part.index,:) += reshape (on_bodies, [], k);
+  endfor
+endfunction
+
+%!function [system, q, v, h] = any_state ()
+%!  [system, start] = sample_mechanism ([1 2]);
+%!  rand ("seed", 5);
+%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
+%!endfunction
+%!test # power of the generalized forces is that of the forces on the points
+%! [system, q, v] = any_state ();
+%! at = marker_motion (system.mechanism, q, v);
+%! F = struct ("x", rand (size (at.x)), "y", rand (size (at.x)), "angle", rand (size (at.x)));
+%! power = sum (F.x.*at.x_dot + F.y.*at.y_dot + F.angle.*at.angle_dot);
+%! assert (forces_of_markers (system.mechanism, at, F).'*v, power, 1e-12*abs (power));

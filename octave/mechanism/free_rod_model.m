@@ -1,0 +1,35 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{model} =} free_rod_model (@var{body}, @var{rung})
+## The model of a mechanism's @var{body} on a @var{rung} of the ladder: as @code{build_model} of a hinged rod, with its
+## mass (kg) in arrays.mass.
+##
+## Sines fit pinned ends.  rung.sines holds [N1 N2]; with rung.corrections (see @code{base_functions}) ends may bear moments.
+## @end deftypefn
+
+function model = free_rod_model (body, rung)
+  model.rung = rung;
+  model.length = body.rod.length;
+  model.section = rod_section (body.rod, body.model);
+  model.shortening = double (strcmp (rung.stiffening, "foreshortening"));
+  corrections = [];
+  if (isfield (rung, "corrections"))
+    corrections = rung.corrections;
+  endif
+  model.base = base_functions (1:rung.sines(1), [1:rung.sines(2), corrections], model.length);
+  arrays = rod_arrays (model.base, model.section, model.shortening);
+  arrays.mass = model.section.rhoA*model.length;
+  if (body.tip_mass > 0)
+    arrays = add_point_mass (arrays, model.base, model.length, body.tip_mass, model.shortening);
+    arrays.mass += body.tip_mass;
+  endif
+  model.arrays = arrays;
+  model.basis = eye (columns (arrays.mass_matrix));
+  model.followers = [];
+  model.damping = body.rod.damping;
+endfunction
+
+%!test # a rigid rod with a mass at its tip
+%! rod = struct ("length", 2, "EA", 1, "EI", 1, "rhoA", 3, "rhoI", 0, "damping", 0);
+%! body = struct ("rod", rod, "tip_mass", 5, "model", struct ("energy", "uniaxial", "rotary_inertia", true));
+%! model = free_rod_model (body, struct ("sines", [0 0], "stiffening", "none"));
+%! assert (model.arrays.mass, 11); assert (model.arrays.moment_of_inertia, 3*8/3 + 5*4, 1e-12);

@@ -1,0 +1,31 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{f} =} inertia_times (@var{mechanism}, @var{d}, @var{a})
+## The mass matrices in the states that @var{d} came from (see @code{rod_dynamics}) times @var{a} (n-by-k).
+## @end deftypefn
+
+function f = inertia_times (mechanism, d, a)
+  f = zeros (size (a));
+  for g = 1:numel (mechanism.groups)
+    group = mechanism.groups(g);
+    b = d.blocks{g};
+    n = rows (group.index) - 3;
+    A = reshape (a(group.index,:), n + 3, []);
+    [V, phi, x, y] = deal (A(1:n,:), A(n+1,:), A(n+2,:), A(n+3,:));
+    mass = group.model.arrays.mass;
+    product = [group.model.arrays.mass_matrix*V + b.V_phi.*phi + b.V_x.*x + b.V_y.*y
+               sum(b.V_phi.*V, 1) + b.phi_phi.*phi + b.phi_x.*x + b.phi_y.*y
+               sum(b.V_x.*V, 1) + b.phi_x.*phi + mass*x
+               sum(b.V_y.*V, 1) + b.phi_y.*phi + mass*y];
+    f(group.index,:) = reshape (product, [], columns (a));
+  endfor
+endfunction
+
+%!function [system, q, v, h] = any_state ()
+%!  [system, start] = sample_mechanism ([1 2]);
+%!  rand ("seed", 5);
+%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
+%!endfunction
+%!test # as the matrix
+%! [system, q, v] = any_state ();
+%! d = rod_dynamics (system.mechanism, q, v);
+%! assert (inertia_times (system.mechanism, d, v), mechanism_matrices (system.mechanism, d)*v, 1e-12);

@@ -1,0 +1,62 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{c} =} joint_constraints (@var{mechanism}, @var{t}, @var{at})
+## All constraints at the times @var{t} (1-by-k) and the markers' motion @var{at}: a struct of residual (Phi), rate (Phi_t),
+## velocity (Phi_q q' + Phi_t), convection (what Phi'' is without accelerations; constraints-by-k) and gradients (a cell a
+## kind of 6 matrices, by the markers' coordinates).
+## @end deftypefn
+
+function c = joint_constraints (mechanism, t, at)
+  constraints = mechanism.constraints;
+  blank = zeros (constraints.count, columns (at.x));
+  c.residual = c.rate = c.velocity = c.convection = blank;
+  c.gradients = cell (1, numel (constraints.kinds));
+  for i = 1:numel (constraints.kinds)
+    kind = constraints.kinds(i);
+    p = kind.first;
+    s = kind.second;
+    motion = {at.x(p,:), at.y(p,:), at.angle(p,:), at.x(s,:), at.y(s,:), at.angle(s,:)};
+    rates = {at.x_dot(p,:), at.y_dot(p,:), at.angle_dot(p,:), at.x_dot(s,:), at.y_dot(s,:), at.angle_dot(s,:)};
+    convections = {at.x_convection(p,:), at.y_convection(p,:), at.angle_convection(p,:), ...
+                   at.x_convection(s,:), at.y_convection(s,:), at.angle_convection(s,:)};
+    offset = {kind.offset.*ones(1, numel (t))};
+    values = values_at (constraints.values, kind, t);
+    g = cell (1, 6);
+    [residual, rate, convection, g{:}] = kind.form (motion{:}, rates{:}, offset(1:double (kind.takes_offset)){:}, values{:});
+    velocity = rate;
+    for slot = 1:6
+      velocity += g{slot}.*rates{slot};
+      convection += g{slot}.*convections{slot};
+    endfor
+    c.residual(kind.rows,:) = residual;
+    c.rate(kind.rows,:) = rate;
+    c.velocity(kind.rows,:) = velocity;
+    c.convection(kind.rows,:) = convection;
+    c.gradients{i} = g;
+  endfor
+endfunction
+
+## value, value_dot, value_ddot: rows-by-k each
+function values = values_at (functions, kind, t)
+  every = ones (1, numel (t));
+  values = {kind.constant*every, 0*kind.constant*every, 0*kind.constant*every};
+  for r = kind.moving
+    for k = 1:numel (t)
+      value = functions{kind.joints(r)}(t(k));
+      for order = 1:3
+        values{order}(r,k) = value(order,kind.component(r));
+      endfor
+    endfor
+  endfor
+endfunction
+
+%!function [system, q, v, h] = any_state ()
+%!  [system, start] = sample_mechanism ([1 2]);
+%!  rand ("seed", 5);
+%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
+%!endfunction
+%!test # rates along a path
+%! [system, q, v, h] = any_state ();
+%! of = @(s) system.at (0.1 + s, q + s*v, v).constraints;
+%! [back, here, on] = deal (of (-h), of (0), of (h));
+%! assert ((on.residual - back.residual)/(2*h), here.velocity, 1e-7);
+%! assert ((on.velocity - back.velocity)/(2*h), here.convection, 1e-6);

@@ -1,0 +1,41 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{kinds} =} joint_kinds ()
+## The kinds of joints: a struct array of name, constraints (functions of generated/, one a scalar constraint), springs
+## (likewise, for what has an energy and no constraint), loads (which of F_x, F_y, M are its value), values (how many
+## numbers its value has).  A joint acts between its first body and its second, or the ground.
+##
+## @table @code
+## @item revolute
+## The points of both stay together.
+## @item weld
+## The points and the tangents of both stay together, as they begin.
+## @item slider
+## The point of the first stays on the line through the point of the second along its tangent, or along direction on the ground.
+## @item angle
+## The first tangent is turned against the second (or the ground) by the value: a number, or [a a_dot a_ddot] of t.
+## @item position
+## The point of the first is off that of the second by the value: [x y], or [x y; x_dot y_dot; x_ddot y_ddot] of t.
+## @item spring, torsion_spring
+## A spring and damper between both points, or both tangents: stiffness, damping, rest.
+## @item moment, force
+## The value, M or [F_x F_y], a number or a function of t, acts on the first and against the second.
+## @end table
+## @end deftypefn
+
+function kinds = joint_kinds ()
+  [x, y, a] = deal (@constraint_horizontal, @constraint_vertical, @constraint_angle);
+  rows = {
+    "revolute",       {x, y},             {},              [], 0
+    "weld",           {x, y, a},          {},              [], 0
+    "slider",         {@constraint_line}, {},              [], 0
+    "angle",          {a},                {},              [], 1
+    "position",       {x, y},             {},              [], 2
+    "spring",         {},                 {@spring_line},  [], 0
+    "torsion_spring", {},                 {@spring_angle}, [], 0
+    "moment",         {},                 {},              3,  1
+    "force",          {},                 {},              [1 2], 2
+  };
+  kinds = cell2struct (rows, {"name", "constraints", "springs", "loads", "values"}, 2).';
+endfunction
+
+%!assert (numel (joint_kinds ()(strcmp ({joint_kinds().name}, "weld")).constraints), 3)

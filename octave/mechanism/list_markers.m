@@ -1,0 +1,66 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{mechanism} =} list_markers (@var{mechanism}, @var{joints})
+## The @var{mechanism} with the markers of its @var{joints}: marker_of (joints-by-2: the markers of each joint, numbered), ground
+## (x, y, angle of those on the ground) and markers (markers of equal bodies at one station, a group each: group, columns
+## (of the group's bodies), numbers (of the markers), arguments (of @code{rod_marker} after the state)).
+## @end deftypefn
+
+function mechanism = list_markers (mechanism, joints)
+  known = zeros (0, 2);  # body, station
+  mechanism.marker_of = zeros (numel (joints), 2);
+  mechanism.ground = struct ("number", zeros (1, 0), "x", [], "y", [], "angle", []);
+  grounds = {};
+  for j = 1:numel (joints)
+    for side = 1:2
+      [body, station] = deal (joints(j).bodies(side), joints(j).stations(side));
+      if (body == 0)
+        grounds{end+1} = [j, side];
+        continue;
+      endif
+      number = find (known(:,1) == body & known(:,2) == station);
+      if (isempty (number))
+        known(end+1,:) = [body, station];
+        number = rows (known);
+      endif
+      mechanism.marker_of(j,side) = number;
+    endfor
+  endfor
+  mechanism.marker_body = known(:,1);
+  mechanism.marker_station = known(:,2);
+  mechanism.markers = grouped (known, mechanism);
+  count = rows (known);
+  for at = grounds
+    j = at{1}(1);
+    mechanism.marker_of(j,at{1}(2)) = ++count;
+    mechanism.ground.number(end+1) = count;
+    mechanism.ground.x(end+1,1) = joints(j).point(1);
+    mechanism.ground.y(end+1,1) = joints(j).point(2);
+    mechanism.ground.angle(end+1,1) = joints(j).direction;
+  endfor
+  mechanism.marker_count = count;
+endfunction
+
+function groups = grouped (known, mechanism)
+  groups = struct ([]);
+  place = mechanism.place(known(:,1),:);
+  for pair = unique ([place(:,1), known(:,2)], "rows").'
+    numbers = find (place(:,1) == pair(1) & known(:,2) == pair(2)).';
+    model = mechanism.groups(pair(1)).model;
+    groups(end+1) = struct ("group", pair(1), "columns", place(numbers,2).', "numbers", numbers, ...
+                            "arguments", {marker_arguments(model, pair(2))});
+  endfor
+endfunction
+
+function arguments = marker_arguments (model, station)
+  [along, across] = functions_at (model.base, station);
+  [along_slope, across_slope] = functions_at (model.base, station, 1);
+  if (model.shortening)
+    along_slope *= 0;  # v1 is then the stretch along the bent rod, which does not turn its tangent
+  endif
+  arguments = {station, along.', across.', along_slope.', across_slope.', model.shortening*shortening_at(model.base, station)};
+endfunction
+
+%!test # equal rods at equal stations are one group
+%! mechanism = sample_mechanism ([0 1]).mechanism;
+%! assert (mechanism.marker_count, 9);
+%! assert (isequal (sort ([mechanism.markers.numbers]), 1:6));

@@ -1,0 +1,35 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{history} =} measure_mechanism (@var{system}, @var{times}, @var{states})
+## What is observed of a mechanism at the frame times: a struct of 1-by-m rows t, T, U, Z, W, D, balance (T + U + Z + D - W,
+## constant), lambda (constraints-by-m), markers (x, y: markers-by-m), residual and velocity_residual (the largest of all constraints, 1-by-m) and
+## bodies (a struct array of phi, phi_dot, x, y, tip_x, tip_y (1-by-m), V (N-by-m) and V_names).
+## @end deftypefn
+
+function history = measure_mechanism (system, times, states)
+  mechanism = system.mechanism;
+  at = system.at (times, states.q, states.v);
+  E = system.energies (states.q, states.v, at);
+  history = struct ("t", times, "T", E(1,:), "U", E(2,:), "Z", E(3,:), "W", states.W, "D", states.D);
+  history.balance = sum (E, 1) + states.D - states.W;
+  history.lambda = states.lambda;
+  history.markers = struct ("x", at.markers.x, "y", at.markers.y);
+  history.residual = max ([abs(at.constraints.residual); zeros(1, numel (times))], [], 1);
+  history.velocity_residual = max ([abs(at.constraints.velocity); zeros(1, numel (times))], [], 1);
+  for k = 1:numel (mechanism.models)
+    model = mechanism.models{k};
+    index = index_of (mechanism, k);
+    n = numel (index) - 3;
+    q = states.q(index,:);
+    body = struct ("phi", q(n+1,:), "phi_dot", states.v(index(n+1),:), "x", q(n+2,:), "y", q(n+3,:), "V", q(1:n,:));
+    body.V_names = mode_names (model.base);
+    [body.tip_x, body.tip_y] = body_centreline (model, model.length, body, 1);
+    history.bodies(k) = body;
+  endfor
+endfunction
+
+%!test
+%! [system, start] = sample_mechanism ([0 1]);
+%! states = first_states (system, [0 1], start); states.q(:,2) = start.q; states.v(:,2) = start.v;
+%! history = measure_mechanism (system, [0 1], states);
+%! assert (history.balance(1), history.balance(2), 1e-12);
+%! assert (history.bodies(1).tip_x, [0.5 0.5], 1e-6);

@@ -1,0 +1,37 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{drawing} =} mechanism_drawing (@var{scene}, @var{mechanism}, @var{history})
+## What the pictures show of a mechanism's run: the struct that @code{draw_pictures} takes.
+## @end deftypefn
+
+function drawing = mechanism_drawing (scene, mechanism, history)
+  frames = numel (history.t);
+  drawing = struct ("title", scene.title, "time", history.t, "frames_per_second", scene.frames_per_second, ...
+                    "zoom", scene.zoom, "gravity", scene.gravity, "moment", zeros (1, frames), "moment_breaks", scene.breaks);
+  for k = 1:numel (history.bodies)
+    model = mechanism.models{k};
+    rod = scene.bodies(k).rod;
+    stations = linspace (0, model.length, 41).';
+    body = struct ("half_height", [rod.half_height, rod.length/100](1));
+    [body.x, body.y] = body_centreline (model, stations, history.bodies(k), scene.zoom);
+    [body.rest_x, body.rest_y] = body_centreline (model, stations, history.bodies(k), 0);
+    body.stress = bending_stress (rod, model, stations, history.bodies(k).V);
+    drawing.bodies(k) = body;
+  endfor
+  drawing.hinges = pins (scene, mechanism, history);
+  drawing.strips = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions"});
+  drawing.panels = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions", "energies"});
+endfunction
+
+## where joints with a point are
+function hinges = pins (scene, mechanism, history)
+  pinned = find (arrayfun (@(joint) any (strcmp (joint.kind, {"revolute", "weld", "position", "slider"})), scene.joints(:).'));
+  markers = mechanism.marker_of(pinned,1);
+  hinges = struct ("x", history.markers.x(markers,:), "y", history.markers.y(markers,:));
+  hinges.ground = arrayfun (@(joint) joint.bodies(2) == 0 && ! strcmp (joint.kind, "slider"), scene.joints(pinned)(:));
+endfunction
+
+%!test
+%! [system, start, scene] = sample_mechanism ([0 1]);
+%! history = measure_mechanism (system, 0, first_states (system, 0, start));
+%! drawing = mechanism_drawing (scene, system.mechanism, history);
+%! assert (numel (drawing.bodies), 3); assert (drawing.hinges.ground, [true; false; false]);

@@ -1,0 +1,29 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{E} =} mechanism_energies (@var{mechanism}, @var{q}, @var{v})
+## Kinetic energy, strain energy and energy of gravity of all rods (3-by-k, J) in the states @var{q}, @var{v} (n-by-k).
+## @end deftypefn
+
+function E = mechanism_energies (mechanism, q, v)
+  E = zeros (3, columns (q));
+  for group = mechanism.groups
+    [R, bodies] = size (group.index);
+    n = R - 3;
+    Q = reshape (q(group.index,:), R, []);
+    Q_dot = reshape (v(group.index,:), R, []);
+    [T, U, Z] = free_rod_energies (Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), Q(n+3,:), ...
+                                   group.arguments.inertia{:}, group.arguments.potential{:}, group.model.arrays.mass);
+    for i = 1:3
+      E(i,:) += sum (reshape ({T, U, Z}{i}, bodies, []), 1);
+    endfor
+  endfor
+endfunction
+
+%!function [system, q, v, h] = any_state ()
+%!  [system, start] = sample_mechanism ([1 2]);
+%!  rand ("seed", 5);
+%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
+%!endfunction
+%!test # a column a state
+%! [system, q, v] = any_state ();
+%! E = mechanism_energies (system.mechanism, [q, 2*q], [v, v]);
+%! assert (E(:,2), mechanism_energies (system.mechanism, 2*q, v), 1e-12);

@@ -1,0 +1,74 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{mass}, @var{jacobian}] =} mechanism_matrices (@var{mechanism}, @var{d}, @var{at}, @var{c})
+## The mass matrix (n-by-n) and Phi_q (constraints-by-n), sparse, in the one state that @var{d}, @var{at} and @var{c} came
+## from (see @code{rod_dynamics}, @code{marker_motion}, @code{joint_constraints}).
+## @end deftypefn
+
+function [mass, jacobian] = mechanism_matrices (mechanism, d, at, c)
+  mass = mass_matrix (mechanism, d);
+  if (nargout > 1)
+    jacobian = by_markers (mechanism, c)*markers_by_coordinates (mechanism, at);
+  endif
+endfunction
+
+function mass = mass_matrix (mechanism, d)
+  [row, column, value] = deal ({});
+  for g = 1:numel (mechanism.groups)
+    group = mechanism.groups(g);
+    b = d.blocks{g};
+    [R, bodies] = size (group.index);
+    own = zeros (R, R, bodies);
+    n = R - 3;
+    own(1:n,1:n,:) = repmat (group.model.arrays.mass_matrix, [1 1 bodies]);
+    last = [b.V_phi; b.phi_phi; b.phi_x; b.phi_y];
+    own(:,n+1,:) = own(n+1,:,:) = reshape (last, R, 1, bodies);
+    for i = 2:3
+      own(1:n,n+i,:) = own(n+i,1:n,:) = reshape ({b.V_x, b.V_y}{i-1}, n, 1, bodies);
+      own(n+i,n+i,:) = group.model.arrays.mass;
+    endfor
+    [own(n+1,n+2,:), own(n+2,n+1,:)] = deal (reshape (b.phi_x, 1, 1, bodies));
+    [own(n+1,n+3,:), own(n+3,n+1,:)] = deal (reshape (b.phi_y, 1, 1, bodies));
+    row{g} = repmat (reshape (group.index, R, 1, bodies), [1 R 1])(:);
+    column{g} = repmat (reshape (group.index, 1, R, bodies), [R 1 1])(:);
+    value{g} = own(:);
+  endfor
+  mass = sparse (vertcat (row{:}), vertcat (column{:}), vertcat (value{:}), mechanism.n, mechanism.n);
+endfunction
+
+## constraints-by-(3 markers)
+function by = by_markers (mechanism, c)
+  count = mechanism.marker_count;
+  by = sparse (mechanism.constraints.count, 3*count);
+  for i = 1:numel (c.gradients)
+    kind = mechanism.constraints.kinds(i);
+    g = c.gradients{i};
+    for slot = 1:3
+      by += sparse (kind.rows, kind.first + (slot - 1)*count, g{slot}, rows (by), columns (by));
+      by += sparse (kind.rows, kind.second + (slot - 1)*count, g{slot+3}, rows (by), columns (by));
+    endfor
+  endfor
+endfunction
+
+function by = markers_by_coordinates (mechanism, at)
+  count = mechanism.marker_count;
+  by = sparse (3*count, mechanism.n);
+  for part = at.parts
+    part = part{1};
+    R = rows (part.index);
+    numbers = repmat (part.numbers(:).', R, 1);
+    by += sparse ([numbers(:); numbers(:) + count; numbers(:) + 2*count], repmat (part.index(:), 3, 1), ...
+                  [part.x_q(:); part.y_q(:); part.angle_q(:)], 3*count, mechanism.n);
+  endfor
+endfunction
+
+%!function [system, q, v, h] = any_state ()
+%!  [system, start] = sample_mechanism ([1 2]);
+%!  rand ("seed", 5);
+%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
+%!endfunction
+%!test # kinetic energy, and the constraints' rates
+%! [system, q, v] = any_state ();
+%! at = system.at (0, q, v);
+%! [mass, jacobian] = system.matrices (at);
+%! assert (v.'*mass*v/2, mechanism_energies (system.mechanism, q, v)(1), 1e-12);
+%! assert (jacobian*v, at.constraints.velocity, 1e-12);

@@ -1,0 +1,51 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{panels} =} mechanism_panels (@var{scene}, @var{mechanism}, @var{history}, @var{names})
+## Panels (see @code{new_panel}) of a mechanism's history, those with the @var{names}: "angles", "tips", "reactions"
+## (sizes of the joints' forces), "energies" (with their balance).  Of more than six curves there are the first and the last three.
+## @end deftypefn
+
+function panels = mechanism_panels (scene, mechanism, history, names)
+  bodies = history.bodies;
+  [shown, of_bodies] = few ({scene.bodies.name});
+  [forces, joints] = reaction_sizes (scene, mechanism, history);
+  [shown_joints, of_joints] = few (joints);
+  all = {
+    "angles",    @() new_panel ("angles", "°", of_bodies, rad2deg (vertcat (bodies(shown).phi)))
+    "tips",      @() new_panel ("tips, height", "m", of_bodies, vertcat (bodies(shown).tip_y))
+    "reactions", @() new_panel ("reactions", "N", of_joints, forces(shown_joints,:))
+    "energies",  @() energy_panels (history)
+  };
+  panels = struct ([]);
+  for name = names
+    if (! (strcmp (name{1}, "reactions") && isempty (joints)))
+      panels = [panels, all{strcmp (all(:,1), name{1}),2}()];
+    endif
+  endfor
+endfunction
+
+function [shown, names] = few (names)
+  shown = 1:numel (names);
+  if (numel (names) > 6)
+    shown = [1:3, numel(names)-2:numel(names)];
+  endif
+  names = strrep (names(shown), " ", "-");
+endfunction
+
+function [forces, names] = reaction_sizes (scene, mechanism, history)
+  forces = zeros (0, numel (history.t));
+  names = {};
+  for j = 1:numel (scene.joints)
+    of_joint = find (mechanism.constraints.joint == j);
+    if (any (strcmp (scene.joints(j).kind, {"revolute", "weld", "position", "slider"})))
+      of_joint = of_joint(1:min (2, end));
+      forces(end+1,:) = sqrt (sum (history.lambda(of_joint,:).^2, 1));
+      names{end+1} = scene.joints(j).name;
+    endif
+  endfor
+endfunction
+
+%!test
+%! [system, start, scene] = sample_mechanism ([0 1]);
+%! history = measure_mechanism (system, 0, first_states (system, 0, start));
+%! panels = mechanism_panels (scene, system.mechanism, history, {"angles", "reactions"});
+%! assert (size (panels(1).values), [3 1]); assert (panels(2).names, {"joint-1", "joint-2", "joint-3"});

@@ -1,0 +1,67 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{system} =} mechanism_system (@var{scene}, @var{mechanism})
+## A mechanism as its integrators see it: M (q) q'' + Phi_q' lambda = f (t, q, q'), Phi (t, q) = 0, from L - lambda Phi.
+##
+## Fields: n, constraint_count, stiffness, damping_matrix (n-by-n, constant), mass (n-by-n, of the bodies as they are made), duration, breaks, q_scale (m: what each coordinate may be off by where
+## a point is off by 1 m), and, for times t (1-by-k) and states q, v (n-by-k),
+##
+## @table @code
+## @item at (t, q, v)
+## a struct with all below in it: force (f), power, dissipated (W), spring_energy (J), constraints (see
+## @code{joint_constraints})
+## @item inertia (at, a), reaction (at, lambda)
+## M a and Phi_q' lambda
+## @item convection (at, v)
+## (dM/dt) v: with f it is dL/dq of one state
+## @item matrices (at)
+## sparse M and Phi_q of one state
+## @item energies (q, v, at)
+## [T; U; Z]
+## @end table
+## @end deftypefn
+
+function system = mechanism_system (scene, mechanism)
+  system.mechanism = mechanism;
+  system.n = mechanism.n;
+  system.constraint_count = mechanism.constraints.count;
+  system.duration = scene.duration;
+  system.breaks = scene.breaks;
+  system.stiffness = system.damping_matrix = sparse (system.n, system.n);
+  system.q_scale = ones (system.n, 1);
+  for group = mechanism.groups
+    n = rows (group.index) - 3;
+    system.q_scale(group.index(n+1,:)) = 1/group.model.length;
+    for index = group.index
+      system.stiffness(index(1:n),index(1:n)) = group.model.arrays.stiffness_matrix;
+      system.damping_matrix(index(1:n),index(1:n)) = group.model.damping*group.model.arrays.stiffness_matrix;
+    endfor
+  endfor
+  [q, v] = deal (zeros (system.n, 1));
+  system.mass = mechanism_matrices (mechanism, rod_dynamics (mechanism, q, v));
+  system.at = @(t, q, v) everything (mechanism, t, q, v);
+  system.inertia = @(at, a) inertia_times (mechanism, at.rods, a);
+  system.reaction = @(at, lambda) forces_of_markers (mechanism, at.markers, reactions (mechanism, at.constraints, lambda));
+  system.convection = @(at, v) rod_convection (mechanism, at.q, v);
+  system.matrices = @(at) mechanism_matrices (mechanism, at.rods, at.markers, at.constraints);
+  system.energies = @(q, v, at) mechanism_energies (mechanism, q, v) + [0; 1; 0]*at.spring_energy;
+endfunction
+
+function at = everything (mechanism, t, q, v)
+  at.q = q;
+  at.rods = rod_dynamics (mechanism, q, v);
+  at.markers = marker_motion (mechanism, q, v);
+  at.constraints = joint_constraints (mechanism, t, at.markers);
+  [F, at.spring_energy, at.power, dissipated] = applied_forces (mechanism, t, at.markers);
+  at.force = at.rods.force + forces_of_markers (mechanism, at.markers, F);
+  at.dissipated = at.rods.dissipated + dissipated;
+endfunction
+
+%!function [system, q, v, h] = any_state ()
+%!  [system, start] = sample_mechanism ([1 2]);
+%!  rand ("seed", 5);
+%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
+%!endfunction
+%!test # several times at once
+%! [system, q, v] = any_state ();
+%! both = system.at ([0.1 0.2], [q, q], [v, -v]);
+%! assert (both.force(:,2), system.at (0.2, q, -v).force, 1e-10);

@@ -1,0 +1,91 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{q}, @var{v}] =} placed_bodies (@var{scene}, @var{mechanism})
+## Coordinates and rates (n-by-1) that the scene's bodies state: a body without initial.x and initial.y is where its first
+## joint with a body that has its place, or with the ground, puts its point.
+## @end deftypefn
+
+function [q, v] = placed_bodies (scene, mechanism)
+  count = numel (scene.bodies);
+  place = NaN (count, 2);
+  velocity = zeros (count, 2);
+  for k = 1:count
+    initial = scene.bodies(k).initial;
+    if (! isempty (initial.x) || ! isempty (initial.y))
+      place(k,:) = [[initial.x, 0](1), [initial.y, 0](1)];
+      velocity(k,:) = [initial.x_dot, initial.y_dot];
+    endif
+  endfor
+  [place, velocity] = place_by_joints (scene, place, velocity);
+  q = v = zeros (mechanism.n, 1);
+  for k = 1:count
+    initial = scene.bodies(k).initial;
+    index = index_of (mechanism, k);
+    [V, V_dot] = amplitudes (initial, mechanism.models{k}.base, scene.bodies(k).name);
+    q(index) = [V; initial.phi; place(k,:).'];
+    v(index) = [V_dot; initial.phi_dot; velocity(k,:).'];
+  endfor
+endfunction
+
+function [place, velocity] = place_by_joints (scene, place, velocity)
+  kinds = {"revolute", "weld", "position"};
+  do
+    placed = sum (! isnan (place(:,1)));
+    for joint = scene.joints(:).'
+      if (! any (strcmp (joint.kind, kinds)))
+        continue;
+      endif
+      for sides = [1 2; 2 1].'
+        [mine, other] = deal (joint.bodies(sides(1)), joint.bodies(sides(2)));
+        if (mine == 0 || ! isnan (place(mine,1)) || (other > 0 && isnan (place(other,1))))
+          continue;
+        endif
+        [point, rate] = deal (joint.point(:).', [0 0]);
+        if (other > 0)
+          [point, rate] = point_of (scene.bodies(other), place(other,:), velocity(other,:), joint.stations(sides(2)));
+        endif
+        offset = joint.value (0)(1:min (end, 2),1:end*strcmp (joint.kind, "position"));
+        if (! isempty (offset))
+          [point, rate] = deal (point + (3 - 2*sides(1))*offset(1,:), rate + (3 - 2*sides(1))*offset(2,:));
+        endif
+        [at_O, rate_at_O] = point_of (scene.bodies(mine), [0 0], [0 0], joint.stations(sides(1)));
+        place(mine,:) = point - at_O;
+        velocity(mine,:) = rate - rate_at_O;
+      endfor
+    endfor
+  until (sum (! isnan (place(:,1))) == placed)
+  place(isnan (place)) = 0;
+endfunction
+
+## of the undeformed rod
+function [point, rate] = point_of (body, place, velocity, station)
+  phi = body.initial.phi;
+  point = place + station*[cos(phi), sin(phi)];
+  rate = velocity + station*body.initial.phi_dot*[-sin(phi), cos(phi)];
+endfunction
+
+function [V, V_dot] = amplitudes (initial, base, name)
+  numbers = {base.longitudinal, base.transversal};
+  V = V_dot = [];
+  for i = 1:2
+    N = numel (numbers{i});
+    of = {sprintf("V%d", i), sprintf("V%d_dot", i)};
+    for field = of
+      given = initial.(field{1})(:);
+      if (numel (given) > N)
+        scene_error ("%s: initial.%s has %d amplitudes for %d modes", name, field{1}, numel (given), N);
+      endif
+      padded.(field{1}) = [given; zeros(N - numel (given), 1)];
+    endfor
+    V = [V; padded.(of{1})];
+    V_dot = [V_dot; padded.(of{2})];
+  endfor
+endfunction
+
+%!test # the second rod hangs where the first one ends
+%! [system, ~, scene] = sample_mechanism ([0 1]);
+%! scene.bodies(1).initial.phi = pi/2;
+%! q = placed_bodies (scene, system.mechanism);
+%! assert (q(index_of (system.mechanism, 2)(end-1:end)), [0; 0.5], 1e-15);
+%!error <body 1: initial.V2 has 2 amplitudes for 1 modes>
+%! [system, ~, scene] = sample_mechanism ([0 1]); scene.bodies(1).initial.V2 = [1 2];
+%! placed_bodies (scene, system.mechanism);

@@ -1,0 +1,26 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{f} =} rod_convection (@var{mechanism}, @var{q}, @var{v})
+## What of the rates of the rods' momenta comes without accelerations, (dM/dt) v, in the states @var{q}, @var{v} (n-by-k).
+## @end deftypefn
+
+function f = rod_convection (mechanism, q, v)
+  f = zeros (size (q));
+  for group = mechanism.groups
+    n = rows (group.index) - 3;
+    Q = reshape (q(group.index,:), n + 3, []);
+    Q_dot = reshape (v(group.index,:), n + 3, []);
+    [V, phi, x, y] = free_rod_convection (Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), ...
+                                          group.arguments.inertia{:}, group.arguments.potential{3:end}, group.model.arrays.mass);
+    f(group.index,:) = reshape ([V; phi; x; y], [], columns (q));
+  endfor
+endfunction
+
+%!function [system, q, v, h] = any_state ()
+%!  [system, start] = sample_mechanism ([1 2]);
+%!  rand ("seed", 5);
+%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
+%!endfunction
+%!test # momenta along a path without accelerations
+%! [system, q, v, h] = any_state ();
+%! momentum = @(s) inertia_times (system.mechanism, rod_dynamics (system.mechanism, q + s*v, v), v);
+%! assert (rod_convection (system.mechanism, q, v), (momentum (h) - momentum (-h))/(2*h), 1e-6);

@@ -1,0 +1,39 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{d} =} rod_dynamics (@var{mechanism}, @var{q}, @var{v})
+## The free rods' equations in the states @var{q}, @var{v} (n-by-k): a struct of force (n-by-k, generalized forces: of
+## weight, stiffness, damping and motion), dissipated (1-by-k, W) and blocks (a cell a group, of what changes in the mass
+## matrix; see @code{free_rod_equations}).
+## @end deftypefn
+
+function d = rod_dynamics (mechanism, q, v)
+  k = columns (q);
+  d.force = zeros (mechanism.n, k);
+  d.dissipated = zeros (1, k);
+  d.blocks = cell (1, numel (mechanism.groups));
+  for g = 1:numel (mechanism.groups)
+    group = mechanism.groups(g);
+    [R, bodies] = size (group.index);
+    n = R - 3;
+    Q = reshape (q(group.index,:), R, []);
+    Q_dot = reshape (v(group.index,:), R, []);
+    b = struct ();
+    [b.V_phi, b.V_x, b.V_y, b.phi_phi, b.phi_x, b.phi_y, force_V, force_phi, force_x, force_y, dissipated] = ...
+      free_rod_equations (Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), ...
+                          group.arguments.inertia{:}, group.arguments.potential{:}, group.model.damping, group.model.arrays.mass);
+    d.force(group.index,:) = reshape ([force_V; force_phi; force_x; force_y], [], k);
+    d.dissipated += sum (reshape (dissipated, bodies, k), 1);
+    d.blocks{g} = b;
+  endfor
+endfunction
+
+%!function [system, q, v, h] = any_state ()
+%!  [system, start] = sample_mechanism ([1 2]);
+%!  rand ("seed", 5);
+%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
+%!endfunction
+%!test # power of free rods: the rate of T + U + Z is minus what is dissipated
+%! [system, q, v, h] = any_state ();
+%! d = rod_dynamics (system.mechanism, q, v);
+%! a = mechanism_matrices (system.mechanism, d) \ d.force;
+%! E = @(s) sum (mechanism_energies (system.mechanism, q + s*v + s^2/2*a, v + s*a));
+%! assert ((E (h) - E (-h))/(2*h), -d.dissipated, 1e-5);

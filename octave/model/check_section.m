@@ -1,0 +1,16 @@
+## -*- texinfo -*-
+## @deftypefn {} {} check_section (@var{rod}, @var{prefix})
+## An error where a rod's section is stated by halves; @var{prefix} ("" or "bodies(2).") says whose it is.
+## @end deftypefn
+
+function check_section (rod, prefix = "")
+  own = ! cellfun (@isempty, {rod.EA, rod.EI, rod.rhoA});
+  if (any (own) && ! all (own))
+    scene_error ("%srod.EA, rod.EI and rod.rhoA are given together or not at all", prefix);
+  elseif (! any (own) && (isempty (rod.width) || isempty (rod.half_height)))
+    scene_error ("%srod.width and rod.half_height are missing: they take positive numbers in m", prefix);
+  endif
+endfunction
+
+%!error <bodies\(2\).rod.EA, rod.EI and rod.rhoA are given together>
+%! check_section (struct ("EA", 1, "EI", [], "rhoA", []), "bodies(2).")
