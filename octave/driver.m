@@ -21,7 +21,7 @@ function result = driver (scene = "paper", varargin)
   [scene, name] = load_scene (scene);
   [scene, folder] = take_options (scene, fullfile ("output", name), varargin);
   if (isfield (scene, "bodies"))
-    result = simulate_mechanism (scene, name, folder);
+    result = simulate_mechanism (scene, name, folder, command);
     return;
   endif
   scene = check_scene (scene);

@@ -156,6 +156,17 @@
     c.fillText("g", x + 9, 39);
   }
 
+  function nameCurves(c, strip, right, left, y) {  // from the right, as many as there is room for
+    if (strip.values.length < 2) { return; }
+    for (let k = strip.names.length - 1, x = right; k >= 0; k--) {
+      const width = c.measureText(strip.names[k]).width;
+      if (x - width < left) { return; }
+      c.fillStyle = curves[k % curves.length];
+      c.fillText(strip.names[k], x, y);
+      x -= width + 8;
+    }
+  }
+
   function drawStrips() {
     const [c, width, height] = prepared(strips);
     const left = 52, right = width - 10, each = height / Math.max(data.strips.length, 1);
@@ -176,11 +187,8 @@
       c.textAlign = "right";
       c.fillStyle = soft;
       [low, high].forEach((v) => c.fillText(Number(v.toPrecision(3)), left - 5, v === low ? bottom : top + 10));
+      nameCurves(c, strip, right, left + c.measureText(strip.label).width + 10, top - 6);
       strip.values.forEach((values, k) => {
-        if (strip.values.length > 1) {
-          c.fillStyle = curves[k % curves.length];
-          c.fillText(strip.names[k], right - (strip.values.length - 1 - k) * 44, top - 6);
-        }
         const points = values.map((v, f) => [x(f), y(v)]);
         c.lineWidth = 1.5;
         c.strokeStyle = line;

@@ -56,13 +56,20 @@ function html = warning_list (summary)
 endfunction
 
 function html = model_text (summary)
-  html = sprintf ("<p><strong>%s</strong>: %s.</p>\n", html_escape (field_or (summary, "model", "")), ...
-                  html_escape (field_or (summary, "model_reason", "")));
+  reason = field_or (summary, "model_reason", "");
+  html = ["<p><strong>" html_escape(field_or (summary, "model", "")) "</strong>"];
+  html = [html, html_escape(sprintf ({"", ": %s"}{1 + ! isempty (reason)}, reason)), ".</p>\n"];
   tried = field_or (summary, "tried", []);
   if (! isempty (tried))
-    cells = [{tried.name}; {tried.error_m}; {tried.seconds}; {tried.calls}].';
-    html = [html, html_table({"tried", "error, m", "seconds", "calls"}, cells, ...
-                           find (strcmp ({tried.name}, summary.model), 1))];
+    names = fieldnames (tried).';
+    cells = struct2cell (tried(:)).';
+    texts = ! cellfun (@(value) isnumeric (value) && isscalar (value), cells);
+    cells(texts) = cellfun (@value_text, cells(texts), "UniformOutput", false);
+    chosen = 0;
+    if (isfield (tried, "name"))
+      chosen = find (strcmp ({tried.name}, summary.model), 1);
+    endif
+    html = [html, html_table(names, cells, [chosen, 0](1))];
   endif
 endfunction
 
