@@ -46,7 +46,8 @@ endfunction
 
 ## $history: the time and all curves of the strips; and what each strip has, as lists of words
 function text = strip_data (drawing)
-  settings = struct ("strips", numel (drawing.strips), "labels", "", "names", "", "curves", "", "low", "", "high", "", ...
+  settings = struct ("strips", numel (drawing.strips), "labels", "", "names", "", "named", "", "curves", "", ...
+                     "low", "", "high", "", ...
                      "step", "");
   table = drawing.time;
   for i = 1:settings.strips
@@ -57,6 +58,9 @@ function text = strip_data (drawing)
     settings.low = [settings.low, sprintf("%.9g ", range(1))];
     settings.high = [settings.high, sprintf("%.9g ", range(2))];
     settings.step = [settings.step, sprintf("%.9g ", tic_step (range, 4))];
+    ## As many names as there is room for, beside the label, in 295 units.
+    columns_left = (285 - 8.5*numel (label))/(8.5*max (cellfun (@numel, drawing.strips(i).names)) + 36);
+    settings.named = [settings.named, sprintf("%d ", max (0, floor (columns_left)))];
     settings.names = [settings.names, sprintf("\"%s\" ", drawing.strips(i).names{:})];
     table = [table; values];
   endfor

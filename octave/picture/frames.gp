@@ -61,7 +61,7 @@ do for [frame=first:last] {
     n = int(word(curves, i))
     set key at screen R(25),Y(bottom(i) + strip_height + 4) right bottom horizontal noenhanced samplen 1 textcolor rgb ink
     plot for [k=1:n] $history using 1:column+k with lines lc rgb light notitle, \
-         for [k=1:n] $history using 1:column+k every ::0::frame-1 with lines lt k title (n > 1 ? word(names, column + k - 1) : ""), \
+         for [k=1:n] $history using 1:column+k every ::0::frame-1 with lines lt k title (n > 1 && k <= int(word(named, i)) ? word(names, column + k - 1) : ""), \
          for [k=1:n] $history using 1:column+k every ::frame-1::frame-1 with points lt k pt 7 ps 1.2 notitle
     column = column + n
   }
