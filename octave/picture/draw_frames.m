@@ -47,8 +47,7 @@ endfunction
 ## $history: the time and all curves of the strips; and what each strip has, as lists of words
 function text = strip_data (drawing)
   settings = struct ("strips", numel (drawing.strips), "labels", "", "names", "", "named", "", "curves", "", ...
-                     "low", "", "high", "", ...
-                     "step", "");
+                     "low", "", "high", "", "step", "");
   table = drawing.time;
   for i = 1:settings.strips
     [label, values] = scaled_panel (drawing.strips(i));
