@@ -6,14 +6,14 @@ GENERATED ?= generated
 FILES = $(shell git ls-files 2>/dev/null || find . -type f -not -path './output/*' -not -path './.git/*')
 VERSION = 1.0
 
-export SCENE MODES SOLVER TOLERANCE OUTPUT OCTAVE
+export SCENE MODES SOLVER TOLERANCE SIZE OUTPUT OCTAVE
 run_octave = $(OCTAVE) --no-gui --no-history --quiet
 
 .PHONY: help setup derive equations simulate models chart stability choices check fuzz clean dist
 
 help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
-	@echo 'make simulate    simulate and draw SCENE=paper (or a file) [MODES="7 7" SOLVER=ode45 TOLERANCE=1e-6 OUTPUT=folder]'
+	@echo 'make simulate    simulate and draw SCENE=paper (or a file) [MODES="7 7" SOLVER=ode45 TOLERANCE=1e-6 SIZE=1920x1080 OUTPUT=folder]'
 	@echo 'make models      the ladder of models of SCENE=paper, error against seconds: table and chart'
 	@echo 'make derive      derive all equations and translate them into generated/ [MODES="7 7" of the literal form]'
 	@echo 'make equations   write the derived energies and equations of motion as output/equations.tex [MODES="2 2"]'

@@ -2,10 +2,10 @@
 ## @deftypefn {} {@var{result} =} driver (@var{scene}, @var{option}, @var{value}, @dots{})
 ## Simulate a scene and leave history, summary, frames, film and figures: the whole way from a scene to its pictures.
 ##
-## @var{scene} is the name of a function in octave/scenes/ (default "paper"), the path of a function file of one's own, or
-## a struct; `help scene_fields' lists its fields.  The options stand for fields of the scene: "modes" ([N1 N2] or
-## "auto"), "solver" (a name), "tolerance" (m, or "pixel"); and "output" is the folder to write into (default
-## output/NAME; "" writes nothing).
+## @var{scene} is the name of a function in octave/scenes/ (default "paper"), the path of a function file of one's own,
+## or a struct; `help scene_fields' lists its fields.  The options stand for fields of the scene: "modes" ([N1 N2] or
+## "auto"), "solver" (a name), "tolerance" (m, or "pixel"), "size" ([W H] of a frame in pixels); and "output" is the
+## folder to write into (default output/NAME; "" writes nothing).
 ##
 ## @var{result} has the fields scene, model, history and summary; of a scene of several bodies it is what
 ## @code{simulate_mechanism} returns.
@@ -17,10 +17,11 @@
 
 function result = driver (scene = "paper", varargin)
   start = tic ();
+  command = repeat_command (scene, varargin);
   [scene, name] = load_scene (scene);
   [scene, folder] = take_options (scene, fullfile ("output", name), varargin);
   if (isfield (scene, "bodies"))
-    result = simulate_mechanism (scene, name, folder);
+    result = simulate_mechanism (scene, name, folder, command);
     return;
   endif
   scene = check_scene (scene);
@@ -28,11 +29,14 @@ function result = driver (scene = "paper", varargin)
     scene.title = name;
   endif
   scene.solver.tolerance = tolerance_in_metres (scene);
+  if (! isempty (folder))
+    publish_run (folder, {}, @(aside) 0);  # a folder that cannot be written is known before the work
+  endif
 
   try
     [model, choice] = model_of_scene (scene);
     announce (choice);
-    cellfun (@(text) printf ("warning: %s\n", text), spin_warning (scene, model));
+    cellfun (@(text) say ("warning: %s", text), spin_warning (scene, model));
     [history, count] = run_model (scene, model, choice);
   catch err
     if (strcmp (err.identifier, "toolchain:integration") && ! isempty (folder))
@@ -41,6 +45,7 @@ function result = driver (scene = "paper", varargin)
     rethrow (err);
   end_try_catch
   summary = summarise (name, scene, model, choice, count, history);
+  summary.command = command;
 
   if (! isempty (folder))
     summary = write_run (folder, scene, model, history, summary, start);
@@ -54,4 +59,4 @@ endfunction
 %! assert (result.history.t(end), 1.8);
 %! assert (result.summary.method, "ode45");
 %!error <model.modes is "many": it takes "auto" or two numbers of modes \[N1 N2\]> driver ("paper", "modes", "many")
-%!error <"speed" is not an option: those are modes, solver, tolerance, output> driver ("paper", "speed", 3)
+%!error <"speed" is not an option: those are modes, solver, tolerance, size, output> driver ("paper", "speed", 3)

@@ -3,6 +3,7 @@
 try
   command (environment_options (){:});
 catch err
+  show_progress ("");
   fprintf (stderr, "%s: %s\n", func2str (command), strtrim (err.message));
   exit (1);
 end_try_catch

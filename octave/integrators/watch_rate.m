@@ -5,7 +5,7 @@
 ## @deftypefnx {} {@var{calls} =} watch_rate ()
 ## Start to watch a rate up to @var{end_time} (s); let values pass and count them, one a column; the number of calls so
 ## far, a value each; end, with that number.
-## On a terminal it shows how far the time @var{t} (s) has come and how many seconds are left.
+## On a terminal it shows how far the time @var{t} (s) has come, the calls, and how many seconds are left.
 ## @end deftypefn
 
 function value = watch_rate (t, value)
@@ -14,26 +14,21 @@ function value = watch_rate (t, value)
     calls += columns (value);
     if (calls >= due)
       due = calls + 1000;
-      shown = show_progress (t(end), end_time, toc (clock), shown);
+      seconds = toc (clock);
+      if (seconds > shown + 0.5)
+        shown = seconds;
+        show_progress (sprintf ("%.4g of %g s simulated, %d calls, %.0f s left ", t(end), end_time, calls, ...
+                                seconds*(end_time/max (t(end), eps) - 1)));
+      endif
     endif
   elseif (nargin == 1 && ischar (t))
     value = calls;
   elseif (nargin == 1)
     [calls, end_time, clock, shown] = deal (0, t, tic (), 0);
-    due = [Inf, 1000](1 + (system ("test -t 1") == 0));
+    due = [Inf, 1000](1 + on_terminal ());
   else
     value = calls;
-    if (shown > 0)
-      printf ("\r%60s\r", "");
-    endif
-  endif
-endfunction
-
-function shown = show_progress (t, end_time, seconds, shown)
-  if (seconds > shown + 0.5)
-    shown = seconds;
-    printf ("\r%5.1f %% of %g s simulated, %.0f s left ", 100*t/end_time, end_time, seconds*(end_time/max (t, eps) - 1));
-    fflush (stdout);
+    show_progress ("");
   endif
 endfunction
 

@@ -1,10 +1,10 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{result} =} simulate_mechanism (@var{scene}, @var{name}, @var{folder})
+## @deftypefn {} {@var{result} =} simulate_mechanism (@var{scene}, @var{name}, @var{folder}, @var{command})
 ## Simulate a @var{scene} of several bodies and leave history, summary and pictures in @var{folder} ("": none), as
-## @code{driver} does for one rod.  @var{result} has the fields scene, mechanism, history and summary.
+## @code{driver} does for one rod; @var{command} is what repeats it.  @var{result} has the fields scene, mechanism, history and summary.
 ## @end deftypefn
 
-function result = simulate_mechanism (scene, name, folder)
+function result = simulate_mechanism (scene, name, folder, command = "")
   start = tic ();
   scene = check_mechanism (scene);
   scene.title = [scene.title, repmat(name, 1, isempty (scene.title))];
@@ -20,6 +20,7 @@ function result = simulate_mechanism (scene, name, folder)
     rethrow (err);
   end_try_catch
   summary = summarise_mechanism (name, scene, mechanism, choice, count, history, warnings);
+  summary.command = command;
   if (! isempty (folder))
     summary = write_mechanism (folder, scene, mechanism, history, summary, start);
   endif

@@ -5,16 +5,20 @@
 
 function summary = write_mechanism (folder, scene, mechanism, history, summary, start)
   names = {"history.csv", "summary.json", "frames", "animation.mp4", "animation.gif", ...
-           "figure3.svg", "figure3.png", "figure3.pdf", "history.svg"};
+           "figure3.svg", "figure3.png", "figure3.pdf", "history.svg", "report.html"};
   publish_run (folder, names, @write);
 
   function write (aside)
     write_mechanism_history (scene, mechanism, history, fullfile (aside, "history.csv"));
-    [warnings, seconds] = draw_pictures (mechanism_drawing (scene, mechanism, history), aside);
+    drawing = mechanism_drawing (scene, mechanism, history);
+    [warnings, seconds] = draw_pictures (drawing, aside);
     summary.warnings = [summary.warnings, warnings];
     for [value, part] = seconds
       summary.seconds.(part) = value;
     endfor
+    report_start = tic ();
+    write_report (aside, drawing, scene, summary);
+    summary.seconds.report = toc (report_start);
     summary.seconds.total = toc (start);
     write_summary (summary, fullfile (aside, "summary.json"));
   endfunction

@@ -34,6 +34,7 @@ function fields = scene_fields ()
     "duration",              NaN,            "positive number in s"
     "frames_per_second",     50,             "positive number in 1/s"
     "zoom",                  1,              "nonnegative number"
+    "frame_size",            [1280 720],     "two even numbers of pixels from 320 to 8192 [W H]"
     "model.modes",           "auto",         "\"auto\" or two numbers of modes [N1 N2]"
     "model.energy",          "paper",        "\"paper\" or \"uniaxial\""
     "model.axial",           "auto",         "\"auto\", \"dynamic\", \"quasistatic\" or \"none\""

@@ -8,7 +8,8 @@ function [scene, folder] = take_options (scene, folder, options)
   if (mod (numel (options), 2) != 0)
     scene_error ("driver: options come as names and values, in pairs");
   endif
-  fields = struct ("modes", {{"model", "modes"}}, "solver", {{"solver", "name"}}, "tolerance", {{"solver", "tolerance"}});
+  fields = struct ("modes", {{"model", "modes"}}, "solver", {{"solver", "name"}}, "tolerance", {{"solver", "tolerance"}}, ...
+                   "size", {{"frame_size"}});
   for pair = reshape (options, 2, [])
     [name, value] = pair{:};
     if (strcmp (name, "output") && ischar (value))

@@ -30,6 +30,9 @@ function good = is_of_kind (kind, value)
   elseif (! isempty (strfind (kind, "[N1 N2]")))
     good = isnumeric (value) && isreal (value) && numel (value) == 2 && all (value(:) >= 0 & value(:) == fix (value(:)))...
            && all (value(:) <= 1000);
+  elseif (! isempty (strfind (kind, "[W H]")))
+    good = isnumeric (value) && isreal (value) && numel (value) == 2 && all (value(:) >= 320 & value(:) <= 8192) ...
+           && all (mod (value(:), 2) == 0);
   elseif (strcmp (kind, "number from 0 to 1"))
     good = number && value >= 0 && value <= 1;
   elseif (! isempty (strfind (kind, "positive number")))
@@ -61,6 +64,8 @@ endfunction
 %!assert (value_error ("\"auto\" or two numbers of modes [N1 N2]", [0 7]), "")
 %!assert (value_error ("\"auto\" or two numbers of modes [N1 N2]", [0.5 7]), "0.5000   7.0000")
 %!assert (value_error ("number or function of t in N m", @sin), "")
+%!assert (value_error ("two even numbers of pixels from 320 to 8192 [W H]", [640 360]), "")
+%!assert (value_error ("two even numbers of pixels from 320 to 8192 [W H]", [640 361]), "640   361")
 %!assert (value_error ("number in rad", @sin), "a 1-by-1 function_handle")
 %!assert (value_error ("vector of times in s", {}), "a 0-by-0 cell")
 %!assert (value_error ("true or false", 1), "")

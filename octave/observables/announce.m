@@ -1,12 +1,13 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} announce (@var{choice})
-## Say which rungs of the ladder were tried for the model (see @code{choose_model}), what each cost, and which was taken.
+## Say which rungs of the ladder were tried for the model (see @code{choose_model}), what each cost, and which was
+## taken.
 ## @end deftypefn
 
 function announce (choice)
   for tried = choice.tried(:).'
-    printf ("  %-62s %8.2g m %6.2f s %7d calls%s\n", tried.name, tried.error_m, tried.seconds, tried.calls, ...
-            repmat (" <-", 1, isequal (tried.rung, choice.trial.rung)));
+    say ("  %-62s %8.2g m %6.2f s %7d calls%s", tried.name, tried.error_m, tried.seconds, tried.calls, ...
+         repmat (" <-", 1, isequal (tried.rung, choice.trial.rung)));
   endfor
 endfunction
 

@@ -6,36 +6,31 @@
 
 function summary = write_run (folder, scene, model, history, summary, start)
   names = {"history.csv", "summary.json", "frames", "animation.mp4", "animation.gif", ...
-           "figure3.svg", "figure3.png", "figure3.pdf", "history.svg"};
+           "figure3.svg", "figure3.png", "figure3.pdf", "history.svg", "report.html"};
   publish_run (folder, names, @write);
-  report (folder, summary);
+  made = names(cellfun (@(name) exist (fullfile (folder, name)) > 0, names));
+  cellfun (@(line) say ("%s", line), closing_lines (folder, summary, made));
 
   function write (aside)
     write_history (history, fullfile (aside, "history.csv"));
     drawing_start = tic ();
-    [warnings, seconds] = draw_pictures (rod_drawing (scene, model, history), aside);
+    show_progress (sprintf ("drawing %d frames ", numel (history.t)));
+    drawing = rod_drawing (scene, model, history);
+    drawing.spectrum = tip_spectrum (scene, model);
+    summary.seconds.spectrum = toc (drawing_start);
+    [warnings, seconds] = draw_pictures (drawing, aside);
     summary.warnings = [summary.warnings, warnings];
     for [value, part] = seconds
       summary.seconds.(part) = value;
     endfor
     summary.seconds.pictures = toc (drawing_start);
     summary.seconds.total = toc (start);
+    report_start = tic ();
+    write_report (aside, drawing, scene, summary);
+    summary.seconds.report = toc (report_start);
+    summary.seconds.total = toc (start);
     write_summary (summary, fullfile (aside, "summary.json"));
   endfunction
-endfunction
-
-function report (folder, summary)
-  printf ("%s\n", summary.title);
-  printf ("model: %s (%s)\n", summary.model, summary.model_reason);
-  if (! isempty (summary.estimated_error_m))
-    printf ("estimated error: %.2g m, %.2g pixels\n", summary.estimated_error_m, summary.estimated_error_pixels);
-  endif
-  printf ("%s, tolerance %.2g m: %d steps, %d calls, energy balance within %.1g\n", summary.method, summary.tolerance_m, ...
-          summary.steps, summary.rate_calls, summary.largest_energy_error);
-  printf ("seconds: %.1f choice of the model, %.1f integration, %.1f pictures, %.1f in all\n", summary.seconds.choice, summary.seconds.integration, ...
-          summary.seconds.pictures, summary.seconds.total);
-  cellfun (@(text) printf ("warning: %s\n", text), summary.warnings);
-  printf ("%s/ has history.csv, summary.json, frames/, animation.mp4, animation.gif, figure3.svg, history.svg\n", folder);
 endfunction
 
 %!test # every file of a run is there
@@ -45,7 +40,7 @@ endfunction
 %!   assert (numel (glob (fullfile (folder, "frames", "*.png"))), 91);
 %!   assert (rows (csvread (fullfile (folder, "history.csv"), 1, 0)), 91);
 %!   assert (jsondecode (fileread (fullfile (folder, "summary.json"))).frames, 91);
-%!   for name = {"animation.mp4", "animation.gif", "figure3.svg", "history.svg"}
+%!   for name = {"animation.mp4", "animation.gif", "figure3.svg", "history.svg", "report.html"}
 %!     assert (stat (fullfile (folder, name{1})).size > 10000);
 %!   endfor
 %! unwind_protect_cleanup

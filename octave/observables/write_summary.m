@@ -6,6 +6,9 @@
 function write_summary (summary, file)
   lines = {};
   for [value, name] = summary
+    if (isempty (value) && ! ischar (value))
+      value = [];  # jsonencode writes nothing at all for an empty struct array
+    endif
     lines{end+1} = sprintf ("  \"%s\": %s", name, jsonencode (value));
   endfor
   write_text (file, ["{\n" strjoin(lines, ",\n") "\n}\n"]);
@@ -14,7 +17,9 @@ endfunction
 %!test
 %! file = tempname ();
 %! unwind_protect
-%!   write_summary (struct ("title", "a \"rod\"", "modes", [0 7], "none", [], "warnings", {{}}), file);
+%!   summary = struct ("title", "a \"rod\"", "modes", [0 7], "none", [], "warnings", {{}});
+%!   summary.tried = struct ("name", {});
+%!   write_summary (summary, file);
 %!   assert (jsondecode (fileread (file)).modes, [0; 7]);
 %!   assert (jsondecode (fileread (file)).title, "a \"rod\"");
 %! unwind_protect_cleanup

@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{job} =} draw_history (@var{drawing}, @var{scratch})
 ## The time histories of @var{drawing} (see @code{draw_pictures}), @file{history.svg} beside the folder @var{scratch},
-## which takes the data. It is there when @var{job} has ended (see @code{finish_tool}).
+## which takes the data, with the spectrum at the foot where the drawing has one. It is there when @var{job} has ended
+## (see @code{finish_tool}).
 ## @end deftypefn
 
 function job = draw_history (drawing, scratch)
@@ -11,7 +12,11 @@ function job = draw_history (drawing, scratch)
   settings.panels = numel (panels);
   inside = drawing.moment_breaks > drawing.time(1) & drawing.moment_breaks < drawing.time(end);
   settings.breaks = sprintf ("%.9g ", drawing.moment_breaks(inside));
+  settings.spectrum = double (isfield (drawing, "spectrum") && ! isempty (drawing.spectrum));
   write_text (fullfile (scratch, "settings.gp"), gnuplot_settings (settings));
+  if (settings.spectrum)
+    write_text (fullfile (scratch, "spectrum.gp"), spectrum_data (drawing.spectrum));
+  endif
   for i = 1:numel (panels)
     [label, values] = scaled_panel (panels(i));
     panel = struct ("label", label, "names", strjoin (panels(i).names), ...
@@ -20,6 +25,16 @@ function job = draw_history (drawing, scratch)
                 [gnuplot_settings(panel), gnuplot_block("curves", {[drawing.time; values].'})]);
   endfor
   job = start_gnuplot (scratch, "history.gp");
+endfunction
+
+## Five decades are shown; what predicted frequencies there are, stands as words.
+function text = spectrum_data (spectrum)
+  [label, values] = scaled_panel (spectrum);
+  high = 10^ceil (log10 (max ([values(:); realmin])));
+  settings = struct ("spectrum_label", label, "note", spectrum.note, "spectrum_names", strjoin (spectrum.names), ...
+                     "predicted", sprintf ("%.9g ", spectrum.predicted), "frequency", spectrum.frequency([1, end]), ...
+                     "amplitude", [1e-5*high, high]);
+  text = [gnuplot_settings(settings), gnuplot_block("spectrum", {[spectrum.frequency; values].'})];
 endfunction
 
 %!function text = history_of (drawing)
@@ -38,6 +53,14 @@ endfunction
 %!test
 %! text = history_of (sample_drawing (20));
 %! for shown = {"energies, J", "V2_1", "largest modes, µm", "break of M", "ψ"}
+%!   assert (! isempty (strfind (text, shown{1})), shown{1});
+%! endfor
+%!test # a spectrum
+%! drawing = sample_drawing (20);
+%! drawing.spectrum = struct ("label", "spectrum of the tip", "unit", "m", "names", {{"tip"}}, "frequency", 1:50, ...
+%!                            "values", 1e-3./(1:50), "predicted", [7 30], "note", "sampled at 100 Hz");
+%! text = history_of (drawing);
+%! for shown = {"spectrum of the tip, mm", "frequency, Hz (sampled at 100 Hz)"}
 %!   assert (! isempty (strfind (text, shown{1})), shown{1});
 %! endfor
 %!test # a single frame, and a break that is not in the picture

@@ -5,8 +5,9 @@
 ## @file{history.svg}.
 ##
 ## The @var{drawing} of F frames has the fields @code{title}, @code{time} (1-by-F, s), @code{frames_per_second},
-## @code{zoom} (the factor on the deformation in x and y), @code{gravity} (m/s²), @code{moment} (1-by-F, N m; acts at the
-## first hinge, zeros for none), @code{moment_breaks} (1-by-B, s), and
+## @code{zoom} (the factor on the deformation in x and y), @code{gravity} (m/s²), @code{moment} (1-by-F, N m; acts at
+## the first hinge, zeros for none), @code{moment_breaks} (1-by-B, s), where it is not [1280 720] @code{frame_size}
+## (width and height, even numbers of pixels), and
 ##
 ## @table @code
 ## @item bodies
@@ -14,12 +15,14 @@
 ## the undeformed body), @code{half_height} (m), @code{stress} (P-by-F, Pa, or empty); P may differ. The end of the last
 ## one leaves a trail;
 ## @item hinges
-## a struct of @code{x}, @code{y} (H-by-F, m, as drawn; H may be 0) and, where not all stand on the ground, @code{ground}
-## (H-by-1, logical): others are pins between bodies;
+## a struct of @code{x}, @code{y} (H-by-F, m, as drawn; H may be 0) and, where not all stand on the ground,
+## @code{ground} (H-by-1, logical): others are pins between bodies;
 ## @item strips
 ## up to four panels (see @code{new_panel}) beside each frame, whose curves a mark runs along;
 ## @item panels
-## those of @file{history.svg}, from top to bottom.
+## those of @file{history.svg}, from top to bottom;
+## @item spectrum
+## where there is one, for the foot of @file{history.svg}: a struct like that of @code{tip_spectrum}.
 ## @end table
 ##
 ## @var{warnings} is a cell array of texts: what could not be made, and why. @var{seconds} is a struct of how long
@@ -48,7 +51,7 @@ function [warnings, seconds] = draw_pictures (drawing, folder)
   made = [strcat("figure3.", {"svg", "png", "pdf"}), {"history.svg"}, frame_names(numel (drawing.time))];
   cellfun (@(name) require_whole (fullfile (folder, name)), made);
   start = tic ();
-  warnings = make_film (numel (drawing.time), drawing.frames_per_second, folder);
+  warnings = make_film (numel (drawing.time), film_rate (drawing.frames_per_second), folder);
   seconds.film = toc (start);
 endfunction
 

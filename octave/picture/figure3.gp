@@ -5,7 +5,6 @@ Y(pixels) = pixels/850.
 # Light first: what comes later is drawn over it and must not hide in it.
 set palette negative
 set cbrange [t_low:t_high]
-set cblabel "{/:Italic t}, s" textcolor rgb ink
 set colorbox user origin screen X(910),Y(75) size screen X(16),Y(560)
 
 set margins at screen X(95),at screen X(885),at screen Y(75),at screen Y(765)
@@ -15,6 +14,7 @@ set xtics metre_step
 set ytics metre_step
 set xlabel "{/:Italic b}^1, m"
 set ylabel "{/:Italic b}^2, m"
+set label 4 "{/:Italic t}, s" at screen X(910),Y(655)
 set label 2 sprintf("%s, %s", duration, zoom) at screen X(95),Y(788)
 if (gravity) {
   set label 3 "{/:Italic g}" at screen X(930),Y(730)

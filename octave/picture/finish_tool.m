@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} finish_tool (@var{job})
-## Wait for the end of a @var{job} of @code{start_tool}. It is an error when it failed: one line with the name of the tool
-## and the last line that was printed.
+## Wait for the end of a @var{job} of @code{start_tool}. It is an error when it failed: one line with the name of the
+## tool and the last line that was printed.
 ## @end deftypefn
 
 function finish_tool (job)

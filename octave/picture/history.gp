@@ -1,5 +1,6 @@
 # The time histories, a panel each, one above the other over the same time.
-height = 105 + 190*panels
+foot = spectrum ? 250 : 0
+height = 105 + 190*panels + foot
 set terminal svg size 1000,height dynamic font "sans-serif,15" background "white"
 X(pixels) = pixels/1000.
 Y(pixels) = pixels/real(height)
@@ -15,7 +16,7 @@ do for [b in breaks] { set arrow from real(b), graph 0 to real(b), graph 1 nohea
 # The first curve is the widest: where curves coincide, all are seen.
 do for [p=1:panels] {
   load sprintf("panel_%d.gp", p)
-  bottom = 75 + 190*(panels - p)
+  bottom = 75 + 190*(panels - p) + foot
   set margins at screen X(95),at screen X(815),at screen Y(bottom),at screen Y(bottom + 150)
   set yrange [range_low:range_high]
   set ytics step
@@ -25,5 +26,24 @@ do for [p=1:panels] {
   plot for [k=1:words(names)] $curves using 1:k+1 with linespoints lt k lw 1 + 2.5/k pt 7 ps 0.2 title word(names, k), \
        NaN with lines dt 2 lw 1 lc rgb ink title (marks ? "break of M" : "")
   unset label 1
+}
+
+# The amplitudes of the oscillations, with the predicted frequencies.
+if (spectrum) {
+  load "spectrum.gp"
+  set margins at screen X(95),at screen X(815),at screen Y(75),at screen Y(225)
+  unset arrow
+  set logscale xy
+  set format x "%h"
+  set format y "10^{%L}"
+  set xtics auto
+  set ytics auto
+  set xrange [frequency_low:frequency_high]
+  set yrange [amplitude_low:amplitude_high]
+  set xlabel "frequency, Hz (".note.")" noenhanced
+  set label 2 spectrum_label noenhanced
+  do for [f in predicted] { set arrow from real(f), graph 0 to real(f), graph 1 nohead dt 2 lw 1 lc rgb ink back }
+  plot for [k=1:words(spectrum_names)] $spectrum using 1:k+1 with lines lt k lw 1 title word(spectrum_names, k), \
+       NaN with lines dt 2 lw 1 lc rgb ink title (words(predicted) > 0 ? "predicted, at rest" : "")
 }
 unset multiplot

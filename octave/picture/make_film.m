@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{warnings} =} make_film (@var{frames}, @var{frames_per_second}, @var{folder})
-## @file{animation.mp4} and @file{animation.gif}, made at once, from the @var{frames} (a number) in @var{folder}. Without ffmpeg there is no film but a
-## text in the cell array @var{warnings}; it is an error when ffmpeg fails.
+## @file{animation.mp4} and @file{animation.gif}, made at once, from the @var{frames} (a number) in @var{folder}.
+## Without ffmpeg there is no film but a text in the cell array @var{warnings}; it is an error when ffmpeg fails.
 ## @end deftypefn
 
 function warnings = make_film (frames, frames_per_second, folder)
@@ -13,9 +13,11 @@ function warnings = make_film (frames, frames_per_second, folder)
   endif
   ## The colour bar is in every frame: a few have all colours.
   few = sprintf ("frames/frame_%04d.png ", unique (round (linspace (1, frames, 6))));
-  run_tool (folder, "ffmpeg", ["cat " few "| ffmpeg -loglevel error -y -f image2pipe -c:v png -i - -vf palettegen palette.png"]);
+  run_tool (folder, "ffmpeg", ["cat " few "| ffmpeg -loglevel error -y -f image2pipe -c:v png -i -" ...
+                               " -vf palettegen palette.png"]);
   source = sprintf ("ffmpeg -nostdin -loglevel error -y -framerate %.9g -i frames/frame_%%04d.png", frames_per_second);
-  film = [source " -c:v libx264 -preset veryfast -pix_fmt yuv420p -crf 18 -movflags +faststart animation.mp4"];
+  film = [source " -c:v libx264 -preset veryfast -bf 0 -x264-params rc-lookahead=5 -pix_fmt yuv420p -crf 18 -movflags +faststart" ...
+          " animation.mp4"];
   ## Browsers slow a gif of more than 50 frames a second down. Without dithering, what stands still costs nothing.
   filter = sprintf ("[0] fps=%.9g [f]; [f][1] paletteuse=dither=none:diff_mode=rectangle", min (frames_per_second, 50));
   gif = [source " -i palette.png -filter_complex '" filter "' animation.gif"];

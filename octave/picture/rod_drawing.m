@@ -9,6 +9,7 @@ function drawing = rod_drawing (scene, model, history)
   drawing.time = history.t;
   drawing.frames_per_second = scene.frames_per_second;
   drawing.zoom = scene.zoom;
+  drawing.frame_size = scene.frame_size;
   drawing.gravity = scene.gravity;
   drawing.moment = scene.moment (history.t);
   if (! isempty (history.torque))
@@ -21,7 +22,7 @@ function drawing = rod_drawing (scene, model, history)
   body.stress = bending_stress (scene.rod, model, stations, history.V);
   drawing.bodies = body;
   drawing.hinges = struct ("x", zeros (size (history.t)), "y", zeros (size (history.t)));
-  drawing.strips = rod_strips (history, drawing.moment);
+  drawing.strips = rod_strips (history, drawing.moment, model.length);
   drawing.panels = rod_panels (history, model.length);
 endfunction
 

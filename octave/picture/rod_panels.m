@@ -1,15 +1,15 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{panels} =} rod_panels (@var{history}, @var{length})
-## What @file{history.svg} shows of a rod of a @var{length} (m) that was observed by @code{measure}, from top to bottom: a
-## struct array of panels (see @code{new_panel}).
+## What @file{history.svg} shows of a rod of a @var{length} (m) that was observed by @code{measure}, from top to
+## bottom: a struct array of panels (see @code{new_panel}).
 ## @end deftypefn
 
 function panels = rod_panels (history, length)
   panels = new_panel ("angles", "°", {"φ", "ψ"}, rad2deg ([history.phi; history.psi]));
-  [along, across] = tip_deflection (history, length);
-  panels(end+1) = new_panel ("tip from tangent", "m", {"along", "across"}, [along; across]);
-  [modes, names] = largest_modes (history.V, history.V_names, 4);
-  if (! isempty (names))
+  if (! isempty (history.V))
+    [along, across] = tip_deflection (history, length);
+    panels(end+1) = new_panel ("tip from tangent", "m", {"along", "across"}, [along; across]);
+    [modes, names] = largest_modes (history.V, history.V_names, 4);
     panels(end+1) = new_panel ("largest modes", "m", names, modes);
   endif
   panels = [panels, energy_panels(history)];
@@ -25,4 +25,4 @@ endfunction
 %! history = sample_history (10);
 %! history.V = zeros (0, 10);
 %! history.V_names = {};
-%! assert (numel (rod_panels (history, 1)), 4);
+%! assert (numel (rod_panels (history, 1)), 3);

@@ -1,13 +1,19 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{strips} =} rod_strips (@var{history}, @var{moment})
-## The panels (see @code{new_panel}) beside each frame of a hinged rod, of its @var{history} (see @code{measure}) and the
-## @var{moment} at O (1-by-F, N m).
+## @deftypefn {} {@var{strips} =} rod_strips (@var{history}, @var{moment}, @var{length})
+## The panels (see @code{new_panel}) beside each frame of a hinged rod, of its @var{history} (see @code{measure}) and
+## the @var{moment} at O (1-by-F, N m); without one it is the tip's deflection, for the @var{length} (m).
 ## @end deftypefn
 
-function strips = rod_strips (history, moment)
+function strips = rod_strips (history, moment, length)
   strips = new_panel ("φ", "°", {"φ"}, rad2deg (history.phi));
   strips(2) = new_panel ("dφ/dt", "rad/s", {"dφ/dt"}, history.phi_dot);
-  strips(3) = new_panel ("M", "N m", {"M"}, moment);
+  if (any (moment))
+    strips(3) = new_panel ("M", "N m", {"M"}, moment);
+  elseif (! isempty (history.V))
+    [~, across] = tip_deflection (history, length);
+    strips(3) = new_panel ("tip across the tangent", "m", {"tip"}, across);
+  endif
 endfunction
 
-%!assert ({rod_strips(sample_history (3), [0 1 2]).label}, {"φ", "dφ/dt", "M"})
+%!assert ({rod_strips(sample_history (3), [0 1 2], 1).label}, {"φ", "dφ/dt", "M"})
+%!assert (rod_strips (sample_history (3), [0 0 0], 1)(3).label, "tip across the tangent")

@@ -13,7 +13,7 @@ function drawing = sample_drawing (frames)
   drawing.bodies = turned_rod (s, 300 * sin (pi*s) * wave, phi);
   drawing.bodies.stress = 2.1e11 * 0.015 * pi^2 * abs (sin (pi*s) * wave);
   drawing.hinges = struct ("x", zeros (1, frames), "y", zeros (1, frames));
-  drawing.strips = rod_strips (history, drawing.moment);
+  drawing.strips = rod_strips (history, drawing.moment, 1);
   drawing.panels = rod_panels (history, 1);
 endfunction
 

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{history} =} sample_history (@var{frames})
-## A history, as @code{measure} has it, to test the pictures with: a rod of 1 m that turns once in 1.8 s and bends in a half
-## wave.
+## A history, as @code{measure} has it, to test the pictures with: a rod of 1 m that turns once in 1.8 s and bends in a
+## half wave.
 ## @end deftypefn
 
 function history = sample_history (frames)

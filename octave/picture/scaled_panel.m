@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{label}, @var{values}] =} scaled_panel (@var{panel})
-## The @var{label} with its unit, and the @var{values} (n-by-F) in that unit, of a panel (see @code{new_panel}): lengths,
-## energies and moments take the prefix that keeps their numbers short.
+## The @var{label} with its unit, and the @var{values} (n-by-F) in that unit, of a panel (see @code{new_panel}):
+## lengths, energies and moments take the prefix that keeps their numbers short.
 ## @end deftypefn
 
 function [label, values] = scaled_panel (panel)

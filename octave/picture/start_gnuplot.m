@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{job} =} start_gnuplot (@var{scratch}, @var{script}, @var{first}, @var{last})
-## Start gnuplot in the folder @var{scratch} on the @file{settings.gp} there and on @var{script}, a file beside this one,
-## which finds the numbers of its frames in the variables first and last; @code{finish_tool} waits for its end.
+## Start gnuplot in the folder @var{scratch} on the @file{settings.gp} there and on @var{script}, a file beside this
+## one, which finds the numbers of its frames in the variables first and last; @code{finish_tool} waits for its end.
 ## @end deftypefn
 
 function job = start_gnuplot (scratch, script, first = 1, last = 1)

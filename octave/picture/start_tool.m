@@ -8,8 +8,8 @@ function job = start_tool (folder, tool, command)
   job.tool = tool;
   job.log = tempname ();
   ## The locale decides how gnuplot reads the titles.
-  job.pid = system (sprintf ("export LC_ALL=C.UTF-8; { cd %s && %s; } >%s 2>&1 </dev/null", shell_string (folder), command, ...
-                             shell_string (job.log)), false, "async");
+  job.pid = system (sprintf ("export LC_ALL=C.UTF-8; { cd %s && %s; } >%s 2>&1 </dev/null", shell_string (folder), ...
+                             command, shell_string (job.log)), false, "async");
 endfunction
 
 %!test # it does not wait

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{along}, @var{across}] =} tip_deflection (@var{history}, @var{length})
-## How far (1-by-F, m) the tip of a rod hinged at the origin has moved @var{along} and @var{across} the tangent at O, against
-## the undeformed rod of a @var{length} (m) laid along that tangent. @var{history} is that of @code{measure}.
+## How far (1-by-F, m) the tip of a rod hinged at the origin has moved @var{along} and @var{across} the tangent at O,
+## against the undeformed rod of a @var{length} (m) laid along that tangent. @var{history} is that of @code{measure}.
 ## @end deftypefn
 
 function [along, across] = tip_deflection (history, length)

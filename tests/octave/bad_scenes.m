@@ -35,6 +35,11 @@ endfunction
 %! endfor
 %! check ("zoom", -2, "is -2: it takes nonnegative number");
 
+%!test # a size in pixels
+%! for bad = {[1280 721], "1280    721"; [1280 -720], "1280   -720"; 720, "720"; [10 10], "10   10"; "wide", "\"wide\""}.'
+%!   check ("frame_size", bad{1}, sprintf ("is %s: it takes two even numbers of pixels from 320 to 8192 [W H]", bad{2}));
+%! endfor
+
 %!test # any number
 %! for field = {"gravity", "m/s^2"; "initial.phi", "rad"; "initial.phi_dot", "rad/s"}.'
 %!   check (field{1}, "up", sprintf ("is \"up\": it takes number in %s", field{2}));

@@ -1,10 +1,10 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{drawing} =} sample_mechanism (@var{frames})
-## A drawing (see @code{draw_pictures}) of two bodies to test the pictures with: a crank that turns on the ground, and a rod
-## that hangs from it by a pin, without a moment, gravity or stress.
+## @deftypefn {} {@var{drawing} =} sample_bodies (@var{frames})
+## A drawing (see @code{draw_pictures}) of two bodies to test the pictures with: a crank that turns on the ground, and
+## a rod that hangs from it by a pin, without a moment, gravity or stress.
 ## @end deftypefn
 
-function drawing = sample_mechanism (frames)
+function drawing = sample_bodies (frames)
   t = linspace (0, 1, frames);
   pin = 0.3 * exp (2i*pi*t);
   rod = pin + linspace (0, 1, 21).' * exp (-1i*pi/2 + 0.4i*sin (2*pi*t));
@@ -23,5 +23,5 @@ function body = body_of (z, rest, half_height)
 endfunction
 
 %!test # the rod hangs from the crank's end
-%! drawing = sample_mechanism (5);
+%! drawing = sample_bodies (5);
 %! assert (drawing.bodies(1).x(2,:), drawing.bodies(2).x(1,:), 1e-15);

@@ -1,0 +1,84 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{spectrum} =} tip_spectrum (@var{scene}, @var{model})
+## The amplitude spectra of a hinged rod's tip deflection, along and across the tangent at O: a struct of @code{label},
+## @code{unit}, @code{names}, @code{frequency} (1-by-K, Hz), @code{values} (2-by-K, m), @code{predicted} (1-by-n, Hz:
+## the free oscillations of the undeformed @var{model}), and @code{note}, a text that says how the motion was sampled.
+## Empty for a rigid rod.
+##
+## The frames are too far apart for it: the motion is integrated once more, to be sampled at three times the highest
+## predicted frequency, or at 4096 times. Frequencies beyond the half of the rate are left out, and the note says so.
+## The window is Hann's; a harmonic oscillation at one of the frequencies has its amplitude there.
+## @end deftypefn
+
+function spectrum = tip_spectrum (scene, model)
+  spectrum = [];
+  system = rod_system (scene, model);
+  [modes, squares] = eig ((system.stiffness + system.stiffness.')/2, (system.mass + system.mass.')/2);
+  all_predicted = sqrt (max (0, diag (squares))).'/(2*pi);
+  predicted = sort (all_predicted(all_predicted > 1e-6*max ([all_predicted, 1])));
+  if (isempty (predicted))
+    return;
+  endif
+  samples = min (4096, 2*ceil (1.5*predicted(end)*scene.duration + 32));
+  highest = samples/scene.duration/2;
+  times = (0:samples - 1)*scene.duration/samples;
+  try
+    states = integrate (system, times, struct ("name", "auto", "tolerance", scene.solver.tolerance));
+  catch err
+    if (! strcmp (err.identifier, "toolchain:integration"))
+      rethrow (err);
+    endif
+    return;
+  end_try_catch
+  kept = modes(:,all_predicted < highest);
+  deflection = kept_deflection (model, system.motion (times, states), kept*(kept.'*system.mass));
+  [frequency, values] = amplitude_spectrum (deflection, scene.duration/samples);
+  seen = predicted < highest;
+  spectrum = struct ("label", "spectra of the tip from tangent", "unit", "m", "names", {{"along", "across"}}, ...
+                     "frequency", frequency, "values", values, "predicted", predicted(seen));
+  spectrum.note = sprintf ("sampled at %.4g Hz", 2*highest);
+  if (! all (seen))
+    spectrum.note = sprintf ("%s; %d predicted ones lie beyond %.4g Hz", spectrum.note, sum (! seen), highest);
+  endif
+endfunction
+
+## of the modes that are kept, by the projector on them
+function deflection = kept_deflection (model, motion, projector)
+  history = struct ("phi", motion.phi, "q", motion.q);
+  if (rows (projector) > rows (motion.q))
+    kept = projector*[motion.q; motion.phi];
+    [history.q, history.phi] = deal (kept(1:end-1,:), kept(end,:));
+  else
+    history.q = projector*motion.q;
+  endif
+  history.V = model.basis*history.q;
+  history.psi = rod_tangent_angle (history.phi, history.q, model.arrays.slope_1, model.arrays.slope_2);
+  [history.tip_x, history.tip_y] = centreline (model, model.length, history, 1);
+  [along, across] = tip_deflection (history, model.length);
+  deflection = [along; across];
+endfunction
+
+%!test # a rod struck softly oscillates at its first frequency, with its amplitude
+%! scene = struct ("duration", 0.5, "gravity", 0, "initial", struct ("V2", 1e-5), "solver", struct ("tolerance", 1e-9));
+%! scene.rod = struct ("length", 1, "width", 0.02, "half_height", 0.015);
+%! scene.model = struct ("modes", [0 2], "energy", "uniaxial");
+%! scene = check_scene (scene);
+%! spectrum = tip_spectrum (scene, build_model (scene, rung_of_scene (scene)));
+%! [largest, k] = max (spectrum.values(2,:));
+%! E = 8.1e10*(3*1.2e11 + 2*8.1e10)/(1.2e11 + 8.1e10);
+%! assert (spectrum.predicted(1), 3.926602^2*sqrt (E/7800*0.015^2/3)/(2*pi), 3);
+%! assert (spectrum.frequency(k), spectrum.predicted(1), 2/0.5);
+%! assert (isempty (strfind (spectrum.note, "beyond")));
+%!test # what lies beyond the rate is not folded back: no peak away from the predicted ones
+%! scene = struct ("duration", 2, "gravity", 0, "initial", struct ("V2", [1 1 1 1]*1e-6));
+%! scene.rod = struct ("length", 1, "width", 0.02, "half_height", 0.015);
+%! scene.model.modes = [0 4];
+%! scene.solver.tolerance = 1e-8;
+%! scene = check_scene (scene);
+%! spectrum = tip_spectrum (scene, build_model (scene, rung_of_scene (scene)));
+%! assert (! isempty (strfind (spectrum.note, "predicted ones lie beyond")));
+%! away = min (abs (spectrum.frequency.' - spectrum.predicted), [], 2) > 20;
+%! assert (max (spectrum.values(2,away)) < 0.01*max (spectrum.values(2,:)));
+%!test # a rigid rod has none
+%! scene = check_scene (setfield (paper (), "model", "modes", [0 0]));
+%! assert (tip_spectrum (scene, build_model (scene, rung_of_scene (scene))), []);

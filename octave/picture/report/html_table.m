@@ -1,0 +1,32 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{html} =} html_table (@var{head}, @var{cells}, @var{chosen})
+## A table of HTML: the names of its columns @var{head} (1-by-n cellstr, or @{@} for none), and @var{cells} (m-by-n
+## texts or numbers, as they are: they are escaped here). The row @var{chosen} (0 for none) stands out.
+## @end deftypefn
+
+function html = html_table (head, cells, chosen = 0)
+  html = "<div class=\"wide\"><table>\n";
+  if (! isempty (head))
+    titles = cellfun (@(name) ["<th scope=\"col\">" html_escape(name) "</th>"], head, "UniformOutput", false);
+    html = [html, "<tr>", titles{:}, "</tr>\n"];
+  endif
+  for row = 1:rows (cells)
+    parts = cellfun (@cell_of, cells(row,:), "UniformOutput", false);
+    html = [html, {"<tr>", "<tr class=\"chosen\">"}{1 + (row == chosen)}, parts{:}, "</tr>\n"];
+  endfor
+  html = [html, "</table></div>\n"];
+endfunction
+
+function html = cell_of (value)
+  if (isnumeric (value) && isscalar (value))
+    html = ["<td class=\"number\">" sprintf({"%.4g", "%d"}{1 + (value == fix (value))}, value) "</td>"];
+  else
+    html = ["<td>" html_escape(value) "</td>"];
+  endif
+endfunction
+
+%!test
+%! html = html_table ({"a<b"}, {"x&y"; 0.25; 50844}, 2);
+%! assert (! isempty (strfind (html, "<th scope=\"col\">a&lt;b</th>")));
+%! assert (! isempty (strfind (html, ">50844<")));
+%! assert (! isempty (strfind (html, "<tr class=\"chosen\"><td class=\"number\">0.25</td></tr>")));

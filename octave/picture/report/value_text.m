@@ -1,0 +1,28 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{text} =} value_text (@var{value})
+## A field's @var{value} as a person writes it: a text as it is, a function by its expression, numbers with up to six
+## digits, true and false, and "none" for what is empty.
+## @end deftypefn
+
+function text = value_text (value)
+  if (is_function_handle (value))
+    text = func2str (value);
+  elseif (isempty (value))
+    text = "none";
+  elseif (ischar (value))
+    text = value;
+  elseif (islogical (value) && isscalar (value))
+    text = {"false", "true"}{1 + value};
+  elseif (iscellstr (value))
+    text = strjoin (value(:).', ", ");
+  elseif (isnumeric (value) || islogical (value))
+    text = mat2str (value, 6);
+  else
+    text = class (value);
+  endif
+endfunction
+
+%!assert (value_text (@(t) 300*t), "@(t) 300 * t")
+%!assert (value_text ([]), "none")
+%!assert (value_text ([0.1 7]), "[0.1 7]")
+%!assert (value_text (true), "true")

@@ -1,0 +1,162 @@
+## -*- texinfo -*-
+## @deftypefn {} {} write_report (@var{folder}, @var{drawing}, @var{scene}, @var{summary})
+## @file{report.html} in a @var{folder} that has @file{figure3.svg} and @file{history.svg}: one page that needs no other
+## file and no network, made of the files beside this one. It animates @var{drawing} (see @code{draw_pictures}) and
+## tells what the @var{scene} and the @var{summary} (structs of any fields; see @code{summarise}) say.
+## @end deftypefn
+
+function write_report (folder, drawing, scene, summary)
+  here = fileparts (mfilename ("fullpath"));
+  part = @(name) fileread (fullfile (here, name));
+  picture = @(name, text) inline_svg (fileread (fullfile (folder, [name ".svg"])), name, text);
+  seconds = sprintf ("%.3g s", drawing.time(end) - drawing.time(1));
+  panels = labels (drawing.panels);
+
+  page.title = html_escape (drawing.title);
+  page.warnings = warning_list (summary);
+  page.scene_text = html_escape (sprintf ("Animation of %s: %d bodies move for %s; the deformation is drawn %g times.", ...
+                                          drawing.title, numel (drawing.bodies), seconds, drawing.zoom));
+  page.strips_text = html_escape (["Over time: " labels(drawing.strips)]);
+  page.figure3 = picture ("figure3", ["The bodies at even times over " seconds]);
+  page.history = picture ("history", ["Over " seconds ": " panels]);
+  page.history_text = html_escape (["Over time: " panels "."]);
+  page.model = model_text (summary);
+  page.command = html_escape (field_or (summary, "command", ""));
+  page.summary = html_table ({}, field_rows (without (summary, ...
+                                                 {"tried", "warnings", "seconds", "command", "model_reason"})));
+  page.seconds = html_table ({}, [fieldnames(summary.seconds), struct2cell(summary.seconds)]);
+  page.parameters = html_table ({"field", "value"}, field_rows (scene));
+  page.equations = equations ();
+  page.data = report_data (drawing);
+  page.style = part ("report.css");
+  page.script = part ("report.js");
+  write_text (fullfile (folder, "report.html"), fill (part ("report.html"), page));
+endfunction
+
+function text = labels (panels)
+  text = "";
+  if (! isempty (panels))
+    text = strjoin ({panels.label}, ", ");
+  endif
+endfunction
+
+## Every {{name}} is replaced at once: what is filled in is not looked at again.
+function html = fill (template, page)
+  [names, between] = regexp (template, '\{\{(\w+)\}\}', "tokens", "split");
+  values = cellfun (@(name) page.(name{1}), names, "UniformOutput", false);
+  html = [[between; [values, {""}]]{:}];
+endfunction
+
+function html = warning_list (summary)
+  html = "";
+  if (! isempty (summary.warnings))
+    items = cellfun (@(text) ["<li>" html_escape(text) "</li>"], summary.warnings, "UniformOutput", false);
+    html = ["<section class=\"warnings\" aria-label=\"Warnings\"><ul>" items{:} "</ul></section>"];
+  endif
+endfunction
+
+function html = model_text (summary)
+  reason = field_or (summary, "model_reason", "");
+  html = ["<p><strong>" html_escape(field_or (summary, "model", "")) "</strong>"];
+  html = [html, html_escape(sprintf ({"", ": %s"}{1 + ! isempty (reason)}, reason)), ".</p>\n"];
+  tried = field_or (summary, "tried", []);
+  if (! isempty (tried))
+    names = fieldnames (tried).';
+    cells = struct2cell (tried(:)).';
+    texts = ! cellfun (@(value) isnumeric (value) && isscalar (value), cells);
+    cells(texts) = cellfun (@value_text, cells(texts), "UniformOutput", false);
+    chosen = 0;
+    if (isfield (tried, "name"))
+      chosen = find (strcmp ({tried.name}, summary.model), 1);
+    endif
+    html = [html, html_table(names, cells, [chosen, 0](1))];
+  endif
+endfunction
+
+function value = field_or (given, name, value)
+  if (isfield (given, name))
+    value = given.(name);
+  endif
+endfunction
+
+function given = without (given, names)
+  given = rmfield (given, intersect (names, fieldnames (given)));
+endfunction
+
+## generated/equations.tex: headings and formulas, one a line
+function html = equations ()
+  tex = fileread (fullfile (fileparts (which ("rod_equations")), "equations.tex"));
+  html = "";
+  for line = strsplit (strtrim (tex), "\n")
+    heading = regexp (line{1}, '^\\section\*\{(.*)\}$', "tokens");
+    if (! isempty (heading))
+      html = [html, "<h3>", html_escape(heading{1}{1}), "</h3>\n"];
+    else
+      html = [html, "<div class=\"wide\">", tex_to_mathml(line{1}), "</div>\n"];
+    endif
+  endfor
+endfunction
+
+%!function html = report_of (drawing, use)
+%!  folder = tempname ();
+%!  mkdir (folder);
+%!  unwind_protect
+%!    for name = {"figure3", "history"}
+%!      write_text (fullfile (folder, [name{1} ".svg"]), "<svg xmlns='http://www.w3.org/2000/svg'><path id='a'/></svg>\n");
+%!    endfor
+%!    summary = struct ("model", "rigid", "model_reason", "a < b", "warnings", {{"x & <y>"}}, "tried", [], ...
+%!                      "seconds", struct ("frames", 2, "film", 1), "command", "make simulate MODES='1 2'");
+%!    write_report (folder, drawing, struct ("moment", @(t) 3*(t < 1)), summary);
+%!    html = use (fullfile (folder, "report.html"));
+%!  unwind_protect_cleanup
+%!    confirm_recursive_rmdir (false, "local");
+%!    rmdir (folder, "s");
+%!  end_unwind_protect
+%!endfunction
+
+%!function check_tags (html)   # every tag that is opened is closed in its turn
+%!  html = regexprep (html, "<script[^>]*>.*?</script>|<style>.*?</style>|<!DOCTYPE html>", "");
+%!  opened = {};
+%!  for tag = regexp (html, '<(/?)([a-zA-Z0-9]+)[^>]*?(/?)>', "tokens")
+%!    [slash, name, closed] = tag{1}{:};
+%!    if (isempty (slash) && isempty (closed) && ! any (strcmp (name, {"meta", "link", "input", "br"})))
+%!      opened{end+1} = name;
+%!    elseif (! isempty (slash))
+%!      assert (opened{end}, name);
+%!      opened(end) = [];
+%!    endif
+%!  endfor
+%!  assert (isempty (opened));
+%!endfunction
+
+%!test # whole, escaped, its data parse, and it asks for nothing from elsewhere
+%! drawing = sample_drawing (5);
+%! drawing.title = "A <rod> & \"more\"";
+%! html = report_of (drawing, @fileread);
+%! check_tags (html);
+%! assert (isempty (regexp (strrep (html, "http://www.w3.org/", ""), "https?://|src=|@import|url\\((?!#)")));
+%! assert (isempty (strfind (html, "{{")));
+%! data = regexp (html, '<script id="data" type="application/json">(.*?)</script>', "tokens"){1}{1};
+%! assert (numel (jsondecode (data).time), 5);
+%! for text = {"A &lt;rod&gt; &amp; &quot;more&quot;", "x &amp; &lt;y&gt;", "@(t) 3 * (t &lt; 1)", "MODES=&#39;1 2&#39;", ...
+%!             "<mfrac>", "prefers-color-scheme: dark", "width=device-width", "aria-label"}
+%!   assert (! isempty (strfind (html, text{1})), text{1});
+%! endfor
+%!test # several bodies
+%! check_tags (report_of (sample_bodies (3), @fileread));
+%!test # free bodies, nothing beside them
+%! drawing = sample_bodies (2);
+%! drawing.hinges = struct ("x", zeros (0, 2), "y", zeros (0, 2));
+%! [drawing.strips, drawing.panels] = deal ([]);
+%! check_tags (report_of (drawing, @fileread));
+
+%!function dom = browsed (file)
+%!  [~, dom] = system (["timeout 60 chromium --headless --no-sandbox --disable-gpu --virtual-time-budget=3000 --dump-dom " ...
+%!                      shell_string(["file://" file]) " 2>/dev/null"]);
+%!endfunction
+%!testif ; system ("command -v chromium >/dev/null") == 0 # Chromium runs it: all frames are known, the present one told
+%! for drawing = {sample_drawing(5), sample_bodies(4)}
+%!   dom = report_of (drawing{1}, @browsed);
+%!   assert (! isempty (strfind (dom, sprintf ("data-drawn=\"%d\"", numel (drawing{1}.time)))));
+%!   assert (! isempty (regexp (dom, '<p id="state">t = 0.00 s; [^<]+:')));
+%! endfor

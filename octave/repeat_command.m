@@ -1,0 +1,42 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{command} =} repeat_command (@var{scene}, @var{options})
+## What to type to run a @var{scene} again with the @var{options} (cell array) of @code{driver}: for the shell, or for
+## Octave where the scene is a struct.
+## @end deftypefn
+
+function command = repeat_command (scene, options)
+  if (isstruct (scene))
+    words = cellfun (@(value) literal (value), options, "UniformOutput", false);
+    command = ["driver (" strjoin([{"scene"}, words], ", ") ")"];
+    return;
+  endif
+  command = ["make simulate SCENE=" word(scene)];
+  for pair = reshape (options(1:2*fix (end/2)), 2, [])
+    command = [command, " ", toupper(pair{1}), "=", word(pair{2})];
+  endfor
+endfunction
+
+function text = literal (value)
+  if (ischar (value))
+    text = ["\"" undo_string_escapes(value) "\""];
+  else
+    text = mat2str (value);
+  endif
+endfunction
+
+function text = word (value)
+  if (isnumeric (value))
+    value = strjoin (arrayfun (@(x) sprintf ("%.15g", x), value(:).', "UniformOutput", false), " ");
+  elseif (! ischar (value))
+    value = disp (value);
+  endif
+  text = value;
+  if (isempty (value) || any (! (isalnum (value) | ismember (value, "_./-+"))))
+    text = shell_string (value);
+  endif
+endfunction
+
+%!assert (repeat_command ("paper", {}), "make simulate SCENE=paper")
+%!assert (repeat_command ("my rod.m", {"modes", [7 7], "tolerance", 1e-6}), ...
+%!        "make simulate SCENE='my rod.m' MODES='7 7' TOLERANCE=1e-06")
+%!assert (repeat_command (struct (), {"solver", "rk4", "modes", [1 2]}), "driver (scene, \"solver\", \"rk4\", \"modes\", [1 2])")
