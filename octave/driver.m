@@ -48,9 +48,14 @@ function result = driver (scene = "paper", varargin)
   summary.command = command;
 
   if (! isempty (folder))
-    summary = write_run (folder, scene, model, history, summary, start);
+    summary = write_run (folder, scene, summary, start, @(file) write_history (history, file), ...
+                         @() with_spectrum (rod_drawing (scene, model, history), scene, model));
   endif
   result = struct ("scene", scene, "model", model, "history", history, "summary", summary);
+endfunction
+
+function drawing = with_spectrum (drawing, scene, model)
+  drawing.spectrum = tip_spectrum (scene, model);
 endfunction
 
 %!test # a short run without files

@@ -6,12 +6,12 @@
 
 function result = simulate_mechanism (scene, name, folder, command = "")
   start = tic ();
-  scene = check_mechanism (scene);
+  scene = check_mechanism (same_modes (scene));
   scene.title = [scene.title, repmat(name, 1, isempty (scene.title))];
   scene.solver.tolerance = mechanism_tolerance (scene);
   try
     [mechanism, choice] = choose_mechanism (scene);
-    announce_levels (choice, scene);
+    announce_levels (choice);
     [history, count, warnings] = run_mechanism (scene, mechanism);
   catch err
     if (strcmp (err.identifier, "toolchain:integration") && ! isempty (folder))
@@ -22,9 +22,24 @@ function result = simulate_mechanism (scene, name, folder, command = "")
   summary = summarise_mechanism (name, scene, mechanism, choice, count, history, warnings);
   summary.command = command;
   if (! isempty (folder))
-    summary = write_mechanism (folder, scene, mechanism, history, summary, start);
+    summary = write_run (folder, scene, summary, start, ...
+                         @(file) write_mechanism_history (scene, mechanism, history, file), ...
+                         @() mechanism_drawing (scene, mechanism, history));
   endif
   result = struct ("scene", scene, "mechanism", mechanism, "history", history, "summary", summary);
+endfunction
+
+## the option "modes" is for all bodies
+function scene = same_modes (scene)
+  if (isfield (scene, "model") && isfield (scene.model, "modes"))
+    if (isstruct (scene.bodies))
+      scene.bodies = num2cell (scene.bodies);
+    endif
+    for k = 1:numel (scene.bodies)
+      scene.bodies{k}.model.modes = scene.model.modes;
+    endfor
+    scene = rmfield (scene, "model");
+  endif
 endfunction
 
 %!test # an arm is chosen, run and written; a second run in the same folder replaces it

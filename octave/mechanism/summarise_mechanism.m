@@ -10,11 +10,16 @@ function summary = summarise_mechanism (name, scene, mechanism, choice, count, h
   summary.joints = {scene.joints(:).name};
   summary.model = sprintf ("%d bodies, %d coordinates, %d constraints", numel (scene.bodies), mechanism.n, ...
                            mechanism.constraints.count);
+  summary.model_reason = "as the scene states it";
+  if (! isempty (choice.error))
+    summary.model_reason = sprintf ("the fewest modes that keep every point within %.2g m", scene.solver.tolerance/2);
+  endif
   summary.modes = cellfun (@(model) [model.rung.longitudinal, model.rung.bending], mechanism.models, "uniformoutput", false);
   summary.stiffening = cellfun (@(model) model.rung.stiffening, mechanism.models, "uniformoutput", false);
   summary.method = count.method;
   summary.tolerance_m = scene.solver.tolerance;
   summary.estimated_error_m = choice.error;
+  summary.estimated_error_pixels = choice.error/(2*mechanism_tolerance (setfield (scene, "solver", "tolerance", "pixel")));
   summary.tried = choice.tried;
   summary.seconds = struct ("choice", sum ([choice.tried.seconds, 0]), "integration", count.seconds);
   summary.steps = count.steps;

@@ -1,10 +1,11 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{summary} =} write_run (@var{folder}, @var{scene}, @var{model}, @var{history}, @var{summary}, @var{start})
-## All files of a run, whole or not at all, and what a person at the terminal wants to know of it.  The summary comes
-## back with the seconds of the drawing, those since @var{start} (a tic), and the drawing's warnings.
+## @deftypefn {} {@var{summary} =} write_run (@var{folder}, @var{scene}, @var{summary}, @var{start}, @var{write_table}, @var{draw})
+## All files of a run, whole or not at all, and what a person at the terminal wants to know of it: history.csv by
+## @var{write_table} (file), and the pictures of the drawing that @var{draw} () returns (see @code{draw_pictures}).  The
+## summary comes back with the seconds of each part, those since @var{start} (a tic), and the drawing's warnings.
 ## @end deftypefn
 
-function summary = write_run (folder, scene, model, history, summary, start)
+function summary = write_run (folder, scene, summary, start, write_table, draw)
   names = {"history.csv", "summary.json", "frames", "animation.mp4", "animation.gif", ...
            "figure3.svg", "figure3.png", "figure3.pdf", "history.svg", "report.html"};
   publish_run (folder, names, @write);
@@ -12,12 +13,11 @@ function summary = write_run (folder, scene, model, history, summary, start)
   cellfun (@(line) say ("%s", line), closing_lines (folder, summary, made));
 
   function write (aside)
-    write_history (history, fullfile (aside, "history.csv"));
+    write_table (fullfile (aside, "history.csv"));
     drawing_start = tic ();
-    show_progress (sprintf ("drawing %d frames ", numel (history.t)));
-    drawing = rod_drawing (scene, model, history);
-    drawing.spectrum = tip_spectrum (scene, model);
-    summary.seconds.spectrum = toc (drawing_start);
+    show_progress (sprintf ("drawing %d frames ", summary.frames));
+    drawing = draw ();
+    summary.seconds.drawing = toc (drawing_start);
     [warnings, seconds] = draw_pictures (drawing, aside);
     summary.warnings = [summary.warnings, warnings];
     for [value, part] = seconds
