@@ -33,6 +33,9 @@ endfunction
 
 function body = check_body (body, what)
   check_section (body.rod, [what "."]);
+  if (! isempty (body.rod.curvature))
+    scene_error ("%s.rod.curvature is given: a rod of a mechanism is straight; weld straight ones together", what);
+  endif
   if (strcmp (body.model.axial, "quasistatic"))
     scene_error ("%s.model.axial is \"quasistatic\": a rod of a mechanism takes \"dynamic\" or \"none\"", what);
   endif

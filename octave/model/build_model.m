@@ -5,11 +5,15 @@
 ##
 ## Fields: rung, section, base (@code{base_functions}), basis (N-by-n), arrays (@code{rod_arrays}, projected, with
 ## slope_1, slope_2 of (27) and the scalars of the followers), whole_mass_matrix and whole_coupling_vector (not
-## projected), force (shape_1, shape_2, shortening_matrix where it acts), followers (longitudinal modes without inertia,
+## projected; a curved rod has the same fields, from @code{build_curved_model}), force (shape_1, shape_2, shortening_matrix where it acts), followers (longitudinal modes without inertia,
 ## or empty) and shortening (1 or 0).
 ## @end deftypefn
 
 function model = build_model (scene, rung)
+  if (! isempty (scene.rod.curvature))
+    model = build_curved_model (scene, rung);
+    return;
+  endif
   model.rung = rung;
   model.length = scene.rod.length;
   model.section = rod_section (scene.rod, scene.model);

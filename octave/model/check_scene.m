@@ -21,6 +21,9 @@ function scene = check_scene (given)
   elseif (scene.force_station > scene.rod.length)
     scene_error ("force_station is %g: it takes a place on the rod, at most %g m", scene.force_station, scene.rod.length);
   endif
+  if (! isempty (scene.rod.curvature))
+    check_curved (scene);
+  endif
   if (! isempty (scene.rotation))
     refuse_with_rotation (scene);
   endif

@@ -1,10 +1,16 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{longitudinal}, @var{transversal}] =} functions_at (@var{base}, @var{stations}, @var{derivative})
 ## Values of all base functions, p-by-n each, at the @var{stations} (p numbers, m), so that v1 = longitudinal*V and
-## v2 = transversal*V, or their first derivatives (1/m) with @var{derivative} = 1.
+## v2 = transversal*V, or their first derivatives (1/m) with @var{derivative} = 1.  Of a curved rod's @var{base} they are the
+## displacements along the frame's axes, or stretching and turning of the centreline.
 ## @end deftypefn
 
 function [longitudinal, transversal] = functions_at (base, stations, derivative = 0)
+  if (isfield (base, "axis"))
+    f = curved_functions (base, base.axis, stations);
+    [longitudinal, transversal] = {f.u_1, f.u_2; f.e, f.chi}{derivative + 1,:};
+    return;
+  endif
   functions = {@rod_shape_longitudinal, @rod_shape_transversal; @rod_slope_longitudinal, @rod_slope_transversal};
   [along, across] = functions{derivative + 1,:};
   [j1, xi1] = meshgrid (base.longitudinal, stations);

@@ -1,12 +1,12 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{model}, @var{choice}] =} model_of_scene (@var{scene})
 ## The model of a checked scene: the paper's sines where model.modes gives their numbers, and otherwise the smallest that
-## serves it.  @var{choice} comes from @code{choose_model}; where nothing was chosen its trial is empty.
+## serves it.  @var{choice} comes from @code{choose_model}, or @code{choose_curved}; where nothing was chosen its trial is empty.
 ## @end deftypefn
 
 function [model, choice] = model_of_scene (scene)
   if (ischar (scene.model.modes))
-    choice = choose_model (scene);
+    choice = {@choose_model, @choose_curved}{1 + ! isempty(scene.rod.curvature)}(scene);
     model = choice.trial.model;
   else
     model = build_model (scene, rung_of_scene (scene));

@@ -17,6 +17,8 @@ function fields = scene_fields ()
     "rod.EI",                [],             "positive number in N m^2"
     "rod.rhoA",              [],             "positive number in kg/m"
     "rod.rhoI",              [],             "nonnegative number in kg m"
+    "rod.curvature",         [],             "vector or function of xi in 1/m"
+    "rod.curvature_breaks",  [],             "vector of stations in m"
     "rod.damping",           0,              "nonnegative number in s"
     "gravity",               9.81,           "number in m/s^2"
     "moment",                0,              "number or function of t in N m"

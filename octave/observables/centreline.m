@@ -13,8 +13,9 @@ function [x, y] = centreline (model, stations, history, zoom)
       v1(i,:) -= sum (history.V.*(shortening_at (model.base, stations(i))*history.V), 1)/2;
     endfor
   endif
-  [phi, xi1] = meshgrid (history.phi, stations);
-  [x, y] = rod_centreline (phi, xi1, zoom*v1, zoom*v2);
+  [x_0, y_0] = undeformed_places (model.base, stations);
+  [phi, xi1] = meshgrid (history.phi, x_0);
+  [x, y] = rod_centreline (phi, xi1, zoom*v1, y_0(:) + zoom*v2);
 endfunction
 
 %!test # a half wave across the rod, a quarter wave along it, rotated by 90 degrees

@@ -20,7 +20,7 @@ function history = measure (system, model, times, states)
     history.V(1:N1,:) = rod_followers (motion.phi, motion.phi_dot, system.gravity, followers.flexibility, ...
                                        followers.centrifugal_vector, followers.first_moment_1);
   endif
-  history.psi = rod_tangent_angle (motion.phi, motion.q, a.slope_1, a.slope_2);
+  history.psi = rod_tangent_angle (motion.phi, motion.q, a.slope_1, a.slope_2) + nthargout (3, @undeformed_places, model.base, 0);
   E = system.energies (motion.phi, motion.phi_dot, motion.q, motion.q_dot);
   [history.T, history.U, history.Z] = deal (E(1,:), E(2,:), E(3,:));
   history.V_names = mode_names (model.base);

@@ -54,7 +54,7 @@ function deflection = kept_deflection (model, motion, projector)
   history.V = model.basis*history.q;
   history.psi = rod_tangent_angle (history.phi, history.q, model.arrays.slope_1, model.arrays.slope_2);
   [history.tip_x, history.tip_y] = centreline (model, model.length, history, 1);
-  [along, across] = tip_deflection (history, model.length);
+  [along, across] = tip_deflection (history, undeformed_tip (model));
   deflection = [along; across];
 endfunction
 

@@ -22,8 +22,8 @@ function drawing = rod_drawing (scene, model, history)
   body.stress = bending_stress (scene.rod, model, stations, history.V);
   drawing.bodies = body;
   drawing.hinges = struct ("x", zeros (size (history.t)), "y", zeros (size (history.t)));
-  drawing.strips = rod_strips (history, drawing.moment, model.length);
-  drawing.panels = rod_panels (history, model.length);
+  drawing.strips = rod_strips (history, drawing.moment, undeformed_tip (model));
+  drawing.panels = rod_panels (history, undeformed_tip (model));
 endfunction
 
 %!test

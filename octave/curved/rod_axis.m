@@ -1,0 +1,45 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{axis} =} rod_axis (@var{rod}, @var{panels})
+## The undeformed centreline of a curved @var{rod} (a checked scene's field) at the Gauss points of so many equal @var{panels}, cut
+## where its curvature jumps: a struct of xi (1-by-p, m), weights (m), ends (of the panels), kappa (1/m), theta (rad), x, y (m) and tilt (rad).  The frame's
+## x axis goes from O through the centre of mass; tilt is the tangent's angle against it at O.
+## @end deftypefn
+
+function axis = rod_axis (rod, panels)
+  [nodes, weights] = gauss_rule (8);
+  axis.ends = unique ([linspace(0, rod.length, panels + 1), rod.curvature_breaks(:).']);
+  steps = diff (axis.ends);
+  axis.xi = (axis.ends(1:end-1) + steps.*nodes.')(:).';
+  axis.weights = (steps.*weights.')(:).';
+  kappa = curvature_function (rod);
+  axis.kappa = kappa (axis.xi);
+  if (! (isequal (size (axis.kappa), size (axis.xi)) && all (isfinite (axis.kappa))))
+    scene_error ("rod.curvature gives %d values for %d stations or no numbers: it takes a vectorised function of xi in 1/m", ...
+                 numel (axis.kappa), numel (axis.xi));
+  endif
+  integral = integrals_to (axis, axis.xi);
+  axis.theta = axis.kappa*integral.';
+  [cosine, sine] = curved_rod_slopes (axis.theta, 0*axis.theta, 0*axis.theta);
+  x = cosine*integral.';
+  y = sine*integral.';
+  axis.tilt = -atan2 (y*axis.weights.', x*axis.weights.');
+  axis.theta += axis.tilt;
+  [axis.x, axis.y] = rod_centreline (axis.tilt*ones (size (x)), x, 0*x, y);
+endfunction
+
+## a number, coefficients of the powers of xi/length from the constant on, or a function of xi
+function kappa = curvature_function (rod)
+  kappa = rod.curvature;
+  if (! is_function_handle (kappa))
+    coefficients = flipud (kappa(:));
+    kappa = @(xi) polyval (coefficients, xi/rod.length) + zeros (size (xi));
+  endif
+endfunction
+
+%!test # a semicircle: length pi, its end at (0, 2) from O along the tangent, centre of mass at 2/pi of the radius
+%! rod = struct ("length", pi, "curvature", 1, "curvature_breaks", []);
+%! axis = rod_axis (rod, 8);
+%! assert (sum (axis.weights), pi, 1e-12);
+%! assert (axis.tilt, -atan2 (1, 2/pi), 1e-12);
+%! assert (axis.weights*axis.y.', 0, 1e-12);
+%! assert (axis.weights*axis.x.'/pi, hypot (2/pi, 1), 1e-12);

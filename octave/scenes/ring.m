@@ -1,0 +1,14 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{scene} =} ring ()
+## A ring of steel, cut at the point that it hangs from: it falls from the side, and its ends open.
+## @end deftypefn
+
+function scene = ring ()
+  scene.title = "A cut ring falls about its hinge";
+  scene.rod = struct ("length", 2*pi*0.2, "width", 0.02, "half_height", 0.001, "curvature", -5);
+  scene.model.energy = "uniaxial";
+  scene.initial.phi = 0;
+  scene.duration = 1.2;
+  scene.zoom = 3;
+  scene.solver.tolerance = 1e-3;
+endfunction
