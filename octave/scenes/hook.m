@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} hook ()
-## A hook: straight for 0.6 m, then three quarters of a circle of 0.1 m radius; a moment pulls it up.
+## A hook: straight for 0.6 m, then three quarters of a circle of 0.1 m radius; a moment of 0.25 s pulls it up.
 ## @end deftypefn
 
 function scene = hook ()
@@ -9,9 +9,9 @@ function scene = hook ()
                       "curvature", @(xi) 10*(xi > 0.6), "curvature_breaks", 0.6);
   scene.model.energy = "uniaxial";
   scene.initial.phi = -pi/2;
-  scene.moment = @(t) 8*(t < 0.25);
+  scene.moment = @(t) 8*sin(4*pi*t).^2.*(t < 0.25);
   scene.moment_breaks = 0.25;
   scene.duration = 1.5;
   scene.zoom = 10;
-  scene.solver.tolerance = 1e-4;
+  scene.solver.tolerance = 5e-4;
 endfunction

@@ -25,7 +25,7 @@ endfunction
 %!function [scene, model] = semicircle (EI)
 %!  scene = arc_pendulum ();
 %!  scene.rod = struct ("length", pi/2, "curvature", -2, "EA", 1e4*EI, "EI", EI, "rhoA", 1);
-%!  scene.model.modes = [8 12];
+%!  scene.model.modes = [8 40];
 %!  scene.zoom = 1;
 %!  scene = check_scene (scene);
 %!  model = build_model (scene, rung_of_scene (scene));
