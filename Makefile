@@ -16,6 +16,7 @@ help:
 	@echo 'make simulate    simulate and draw SCENE=paper (or a file) [MODES="7 7" SOLVER=ode45 TOLERANCE=1e-6 OUTPUT=folder]'
 	@echo 'make models      the ladder of models of SCENE=paper, error against seconds: table and chart'
 	@echo 'make derive      derive all equations and translate them into generated/ [MODES="7 7" of the literal form]'
+	@echo 'make derive SURFACE=file    derive a surface of one'"'"'s own into output/surfaces/'
 	@echo 'make equations   write the derived energies and equations of motion as output/equations.tex [MODES="2 2"]'
 	@echo 'make check       run all tests'
 	@echo 'make chart       error against seconds and calls of all integrators: table and chart [MODES="7 7"]'
@@ -29,7 +30,7 @@ setup:
 	@.ci/setup
 
 derive:
-	@maxima/derive "$(GENERATED)" "$(MODES_LITERAL)"
+	@$(if $(SURFACE),maxima/derive_surface "$(or $(OUTPUT),output/surfaces)" "$(SURFACE)",maxima/derive "$(GENERATED)" "$(MODES_LITERAL)")
 
 equations:
 	@maxima/write_equations "$(or $(OUTPUT),output)" "$(or $(MODES),2 2)"
