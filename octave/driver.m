@@ -17,6 +17,10 @@
 function result = driver (scene = "paper", varargin)
   start = tic ();
   [scene, name] = load_scene (scene);
+  if (isfield (scene, "surface"))
+    result = drive_surface (scene, name, varargin);
+    return;
+  endif
   [scene, folder] = take_options (scene, fullfile ("output", name), varargin);
   scene = check_scene (scene);
   if (isempty (scene.title))

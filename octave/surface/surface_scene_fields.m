@@ -36,7 +36,7 @@ function fields = surface_scene_fields ()
     "view.turning",        0,                  "number in degrees per second"
     "model.modes",         [12 12],            "two numbers of modes [N1 N2]"
     "solver.name",         "auto",             "\"auto\", \"gauss\", \"ode45\", \"ode15s\", \"lsode_adams\" or \"lsode_bdf\""
-    "solver.tolerance",    1e-8,               "positive number in m"
+    "solver.tolerance",    1e-5,               "positive number in m"
   };
 endfunction
 
