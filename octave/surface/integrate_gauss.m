@@ -4,7 +4,7 @@
 ## points of Gauss: order 8, symplectic in its canonical coordinates, stable for the stiffest bending and stretching.
 ##
 ## Between two times, and between breaks of the loads, as many equal steps are taken, doubled again and again, as bring
-## the last doubling's change of place within @var{solver}.tolerance (m).  Oscillations of stretching too fast for that
+## the last doubling's change of place within @var{solver}.tolerance (m), and the energy balance within 3e-9.  Oscillations of stretching too fast for that
 ## keep their energy, not their phase.  @var{count}: method, steps, calls of the residual (a column each) and seconds.
 ## @end deftypefn
 
@@ -15,7 +15,7 @@ function [states, count] = integrate_gauss (system, times, solver)
   states = repmat (y, 1, numel (times));
   method = collocation (4);
   watch_rate (times(end));
-  [steps, m, n] = deal (0, 1, system.n);
+  [steps, m, n, largest] = deal (0, 2, system.n, 0);
   for k = 2:numel (stops)
     interval = stops([k-1, k]);
     pieces = max (1, floor (m/2));
@@ -29,7 +29,8 @@ function [states, count] = integrate_gauss (system, times, solver)
       fine = march (system, method, interval, y, m);
       steps += 3*pieces;
       change = fine - coarse;
-      error = system.size (change(1:n));
+      [drift, largest] = energy_drift (system, y, fine, largest);
+      error = max (system.size (change(1:n)), solver.tolerance*drift/3e-9);
       [coarse, pieces] = deal (fine, m);
     until (error <= solver.tolerance)
     m = m/(1 + (error < solver.tolerance/2^9 && m > 2));
@@ -38,6 +39,15 @@ function [states, count] = integrate_gauss (system, times, solver)
     states(:,abs (times - interval(2)) < 1e-12*times(end)) = y;
   endfor
   count = struct ("method", "gauss", "steps", steps, "calls", watch_rate (), "seconds", toc (start));
+endfunction
+
+## how far the energy balance moves between two states, as a part of the largest change of an energy
+function [drift, largest] = energy_drift (system, before, after, largest)
+  n = system.n;
+  both = [before, after, system.initial_state];
+  E = [surface_energies(system, both(1:n,:), both(n+1:2*n,:))(1:3,:); -both(2*n+1,:)];
+  largest = max ([largest; abs(E(1:2,2)); abs(E(3:4,2) - E(3:4,3))]);
+  drift = abs (sum (E(:,2)) - sum (E(:,1)))/max (largest, realmin);
 endfunction
 
 ## m equal steps; no numbers where Newton's iteration does not converge

@@ -18,7 +18,7 @@ endfunction
 %!test # a rod at rest along the lowest ruling of a cylinder is carried, one that moves there is, too
 %! scene = struct ("surface", struct ("name", "cylinder", "radius", 1), "duration", 1, ...
 %!                 "rod", struct ("length", 2, "EA", 100, "EI", 1, "rhoA", 1.5), "model", struct ("modes", [5 5]));
-%! scene.initial.velocity = @(xi) [0*xi; 3 + 0*xi];
+%! scene.initial.velocity = @(xi, alpha) [0*xi; 3 + 0*xi];
 %! system = surface_rod (check_surface_scene (scene));
 %! n = system.n;
 %! z = zeros (n, 1);

@@ -14,7 +14,7 @@ function place = place_rod (scene, surface)
   if (isempty (scene.initial.shape))
     alpha = laid_geodesic (surface, scene.initial.point, scene.initial.angle, stations);
   else
-    alpha = values_of (scene.initial.shape, "initial.shape", stations);
+    alpha = values_of (scene.initial.shape, "initial.shape", numel (stations), stations);
   endif
   q = projected (alpha(:,2:end-1), x, weights, modes);
   if (! any (strcmp (scene.ends, "hinge")) && ! any (strcmp (scene.ends, "clamped")))
@@ -32,7 +32,7 @@ function place = place_rod (scene, surface)
   endif
   place.velocity = zeros (size (q));
   if (! isempty (scene.initial.velocity))
-    velocity = projected (values_of (scene.initial.velocity, "initial.velocity", xi), x, weights, modes);
+    velocity = projected (values_of (scene.initial.velocity, "initial.velocity", numel (xi), xi, alpha(:,2:end-1)), x, weights, modes);
     place.velocity = place.basis*(place.basis.'*velocity);
   endif
 endfunction
@@ -46,15 +46,15 @@ function q = projected (alpha, x, weights, modes)
 endfunction
 
 
-function alpha = values_of (f, name, xi)
+function alpha = values_of (f, name, m, varargin)
   try
-    alpha = f (xi);
+    alpha = f (varargin{:});
   catch err
     scene_error ("%s fails: %s", name, err.message);
   end_try_catch
-  if (! (isnumeric (alpha) && isreal (alpha) && isequal (size (alpha), [2, numel(xi)]) && all (isfinite (alpha(:)))))
+  if (! (isnumeric (alpha) && isreal (alpha) && isequal (size (alpha), [2, m]) && all (isfinite (alpha(:)))))
     scene_error ("%s gives a %s %s: it takes a finite number for each coordinate and xi, 2-by-%d", name, ...
-                 mat2str (size (alpha)), class (alpha), numel (xi));
+                 mat2str (size (alpha)), class (alpha), m);
   endif
 endfunction
 

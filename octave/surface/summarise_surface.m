@@ -51,7 +51,7 @@ endfunction
 %!test # a rod flung over a hill would lift off
 %! scene = struct ("surface", struct ("name", "sphere", "radius", 1, "side", -1), "duration", 0.02, ...
 %!                 "rod", struct ("length", 0.1, "EA", 3e3, "EI", 0.1, "EI_normal", 0, "rhoA", 1.5), "model", struct ("modes", [4 4]));
-%! scene.initial.velocity = @(xi) [0.2 + 0*xi; 0*xi];
+%! scene.initial.velocity = @(xi, alpha) [0.2 + 0*xi; 0*xi];
 %! result = driver (scene, "output", "");
 %! assert (! isempty (strfind (result.summary.warnings{1}, "would have to pull the rod from t = 0 s on")));
 %! assert (driver (setfield (scene, "surface", "side", 1), "output", "").summary.warnings, {});

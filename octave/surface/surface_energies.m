@@ -13,7 +13,7 @@ endfunction
 %!test # a rod that turns about its start on the level plane
 %! scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 1, ...
 %!                 "rod", struct ("length", 2, "EA", 3, "EI", 1, "rhoA", 1.5), "model", struct ("modes", [3 3]));
-%! scene.initial.velocity = @(xi) [0*xi; 5*xi];
+%! scene.initial.velocity = @(xi, alpha) [0*xi; 5*xi];
 %! system = surface_rod (check_surface_scene (scene));
 %! n = system.n;
 %! assert (surface_energies (system, system.initial_state(1:n), system.initial_state(n+1:2*n)), [50; 0; 0; 0; 0; 20], 1e-10);

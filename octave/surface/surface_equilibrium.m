@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{z} =} surface_equilibrium (@var{system}, @var{z}, @var{t})
 ## Where the rod of @code{surface_rod} rests under the loads at the time @var{t} (default 0): coordinates (n-by-1) by
-## Newton's method from @var{z} (default: the start), a step at most a tenth of the rod.  Directions without any stiffness
-## keep their place.  One that does not converge is an error.
+## Newton's method from @var{z} (default: the start), a step at most a tenth of the rod.  One that does not converge
+## is an error.
 ## @end deftypefn
 
 function z = surface_equilibrium (system, z = zeros (system.n, 1), t = 0)
@@ -10,7 +10,7 @@ function z = surface_equilibrium (system, z = zeros (system.n, 1), t = 0)
   smallest = Inf;
   for sweep = 1:200
     R = system.residual (t, z, none, none);
-    step = -pinv (tangent_stiffness (system, t, z, none, none), 1e-9*norm (system.stiffness))*R;
+    step = -(tangent_stiffness (system, t, z, none, none) \ R);
     length = system.size (step);
     z += step*min (1, 0.1*system.points(end)/length);
     if (length < 1e-12*system.points(end) || (length < 1e-8*system.points(end) && length >= smallest))

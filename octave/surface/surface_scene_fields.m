@@ -28,7 +28,7 @@ function fields = surface_scene_fields ()
     "initial.point",       [0 0],              "vector of two coordinates of the chart"
     "initial.angle",       0,                  "number in rad"
     "initial.shape",       [],                 "function of xi that returns the chart's coordinates, 2-by-m"
-    "initial.velocity",    [],                 "function of xi that returns their rates, 2-by-m"
+    "initial.velocity",    [],                 "function of xi and these coordinates that returns their rates, 2-by-m"
     "duration",            NaN,                "positive number in s"
     "frames_per_second",   50,                 "positive number in 1/s"
     "view.elevation",      35,                 "number in degrees"
