@@ -21,8 +21,8 @@ do for [frame=first:last] {
     if (kind eq "pdf") { set terminal pdfcairo size 17.5cm,13cm font "sans-serif,9" }
     set output name.".".kind
     set view elevation, azimuth, magnification
-    set label 1 title at screen 0.04,0.95 noenhanced font sprintf("sans-serif,%g", 0.8*title_size)
-    set label 2 clock at screen 0.96,0.95 right font "sans-serif,18"
+    set label 1 title at screen 0.04,0.95 noenhanced front font sprintf("sans-serif,%g", 0.8*title_size)
+    set label 2 clock at screen 0.96,0.95 right front font "sans-serif,18"
     splot $surface using 1:2:3:4 with pm3d, \
           $surface using 1:2:3 with lines lc rgb "#9aa7b2" lw 0.4, \
           for [i=1:rods] $rod index i-1 using 1:2:3 with lines lc rgb ink_rod lw (i == rods ? 5 : 2), \

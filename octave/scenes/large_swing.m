@@ -10,7 +10,7 @@ function scene = large_swing ()
   scene.ends = {"hinge", "free"};
   scene.duration = 1.6;
   scene.model.modes = [14 14];
-  scene.view = struct ("elevation", 12, "azimuth", -20);
+  scene.view = struct ("elevation", 12, "azimuth", -75);
 endfunction
 
 %!assert (large_swing ().surface.name, "plane")

@@ -35,7 +35,7 @@ function [states, count] = integrate_gauss (system, times, solver)
     until (error <= solver.tolerance)
     m = m/(1 + (error < solver.tolerance/2^9 && m > 2));
     y = fine;
-    refuse_singular (system.surface, system.fields (y(1:n), y(1:n), y(1:n), system.points), sprintf ("at t = %.4g s", interval(2)));
+    refuse_singular (system.surface, system.fields (y(1:n), y(1:n), y(1:n), linspace (0, sum (system.weights), 501).'), sprintf ("at t = %.4g s", interval(2)));
     states(:,abs (times - interval(2)) < 1e-12*times(end)) = y;
   endfor
   count = struct ("method", "gauss", "steps", steps, "calls", watch_rate (), "seconds", toc (start));

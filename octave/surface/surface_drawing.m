@@ -27,7 +27,7 @@ function [patch, settings] = surface_drawing (system, scene, history)
   for k = 1:lines
     patch = [patch; x(:,k), y(:,k), z(:,k), shade(:,k); NaN(1, 4)];
   endfor
-  settings = struct ("title", scene.title, "title_size", min (20, 1300/numel (scene.title)), "magnification", 1.7);
+  settings = struct ("title", scene.title, "title_size", min (20, 1300/numel (scene.title)), "magnification", 1.5);
   settings.x = around (x);
   settings.y = around (y);
   settings.z = around (z);

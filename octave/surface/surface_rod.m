@@ -29,7 +29,7 @@ function system = surface_rod (scene)
   system.rate = @(t, y, interval) rate (t, y, interval, system);
   start = zeros (system.n, 1);
   velocity = system.place.basis.'*system.place.velocity;
-  refuse_singular (surface, fields_at (inside, start, velocity, start), "at the start");
+  refuse_singular (surface, system.fields (start, start, start, linspace (0, r.length, 501).'), "at the start");
   scale = lengths_per_coordinate (surface, fields_at (inside, start, velocity, start));
   system.size = @(z) max (max (abs (inside.values{1}*z)*scale(1), abs (inside.values{2}*z)*scale(2))(:));
   system.mass = system.mass_matrix (start);
