@@ -9,7 +9,7 @@ VERSION = 1.0
 export SCENE MODES SOLVER TOLERANCE OUTPUT OCTAVE
 run_octave = $(OCTAVE) --no-gui --no-history --quiet
 
-.PHONY: help setup derive equations simulate models chart stability choices check fuzz clean dist
+.PHONY: help setup derive equations simulate models chart stability choices surfaces check fuzz clean dist
 
 help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
@@ -22,6 +22,7 @@ help:
 	@echo 'make chart       error against seconds and calls of all integrators: table and chart [MODES="7 7"]'
 	@echo 'make stability   where integrators and model turn unstable, predicted and measured: table and chart'
 	@echo 'make choices     all scenes and 20 random ones: the chosen models against 30 + 30 modes'
+	@echo 'make surfaces    convergence in modes of the scenes on surfaces: table and chart'
 	@echo 'make fuzz        more of the random round trip [N=10000 SEED=1]'
 	@echo 'make dist        an archive of the sources'
 	@echo 'make clean       remove what runs have written'
@@ -49,6 +50,9 @@ stability:
 
 choices:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; verify_choices (shipped_and_random (20))'
+
+surfaces:
+	@$(run_octave) --eval 'source octave/toolchain_path.m; surface_modes ();'
 
 check:
 	@tests/check
