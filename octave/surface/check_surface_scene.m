@@ -99,7 +99,8 @@ endfunction
 %!error <rod.EA is -1: it takes positive number in N> check_surface_scene (setfield (smallest (), "rod", "EA", -1))
 %!error <rod.EI is missing> check_surface_scene (setfield (smallest (), "rod", struct ("length", 1, "EA", 1)))
 %!error <colour is not a field of a scene on a surface> check_surface_scene (setfield (smallest (), "colour", 1))
-%!error <ends is a 1-by-1 cell: it takes two of "free", "hinge" and "clamped"> check_surface_scene (setfield (smallest (), "ends", {"free"}))
+%!error <ends is a 1-by-1 cell: it takes two of "free", "hinge" and "clamped">
+%! check_surface_scene (setfield (smallest (), "ends", {"free"}))
 %!error <model.modes is 2   2: it takes two numbers> check_surface_scene (setfield (smallest (), "model", "modes", [2 2]))
 %!error <force gives 3 at t = 0: it takes 3 numbers> check_surface_scene (setfield (smallest (), "force", @(t) 3))
 %!error <tip_moment fails at t = 0: no> check_surface_scene (setfield (smallest (), "tip_moment", @(t) error ("no")))

@@ -39,10 +39,10 @@ function text = frame_text (scene, history, shown, last, name)
   settings.azimuth = mod (90 + scene.view.azimuth + scene.view.turning*history.t(last), 360);
   settings.rods = numel (shown);
   lift = scene.rod.half_height*(scene.surface.side + (scene.surface.side == 0));
-  place = @(i, k) [history.x(i,k) + lift*history.n_1(i,k), history.y(i,k) + lift*history.n_2(i,k), history.z(i,k) + lift*history.n_3(i,k)];
+  place = @(i, k) [history.x(i,k) + lift*history.n_1(i,k), history.y(i,k) + lift*history.n_2(i,k), ...
+                   history.z(i,k) + lift*history.n_3(i,k)];
   rods = arrayfun (@(k) place (1:rows (history.x), k), shown, "uniformoutput", false);
-  tip = [place(rows (history.x), 1:last)];
-  tip = reshape (tip, [], 3);
+  tip = reshape (place (rows (history.x), 1:last), [], 3);
   text = [gnuplot_settings(settings), gnuplot_block("rod", rods), gnuplot_block("tip", {tip([1:end, end],:)})];
 endfunction
 

@@ -4,7 +4,8 @@
 ## points of Gauss: order 8, symplectic in its canonical coordinates, stable for the stiffest bending and stretching.
 ##
 ## Between two times, and between breaks of the loads, as many equal steps are taken, doubled again and again, as bring
-## the last doubling's change of place within @var{solver}.tolerance (m), and the energy balance within 3e-9.  Oscillations of stretching too fast for that
+## the last doubling's change of place within @var{solver}.tolerance (m), and the energy balance within 3e-9.
+## Oscillations of stretching too fast for that
 ## keep their energy, not their phase.  @var{count}: method, steps, calls of the residual (a column each) and seconds.
 ## @end deftypefn
 
@@ -35,7 +36,8 @@ function [states, count] = integrate_gauss (system, times, solver)
     until (error <= solver.tolerance)
     m = m/(1 + (error < solver.tolerance/2^9 && m > 2));
     y = fine;
-    refuse_singular (system.surface, system.fields (y(1:n), y(1:n), y(1:n), linspace (0, sum (system.weights), 501).'), sprintf ("at t = %.4g s", interval(2)));
+    everywhere = linspace (0, sum (system.weights), 501).';
+    refuse_singular (system.surface, system.fields (y(1:n), y(1:n), y(1:n), everywhere), sprintf ("at t = %.4g s", interval(2)));
     states(:,abs (times - interval(2)) < 1e-12*times(end)) = y;
   endfor
   count = struct ("method", "gauss", "steps", steps, "calls", watch_rate (), "seconds", toc (start));
