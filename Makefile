@@ -9,18 +9,20 @@ VERSION = 1.0
 export SCENE MODES SOLVER TOLERANCE SIZE OUTPUT OCTAVE
 run_octave = $(OCTAVE) --no-gui --no-history --quiet
 
-.PHONY: help setup derive equations simulate models chart stability choices check fuzz clean dist
+.PHONY: help setup derive equations simulate models chart stability choices surfaces check fuzz clean dist
 
 help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
 	@echo 'make simulate    simulate and draw SCENE=paper (or a file) [MODES="7 7" SOLVER=ode45 TOLERANCE=1e-6 SIZE=1920x1080 OUTPUT=folder]'
 	@echo 'make models      the ladder of models of SCENE=paper, error against seconds: table and chart'
 	@echo 'make derive      derive all equations and translate them into generated/ [MODES="7 7" of the literal form]'
+	@echo 'make derive SURFACE=file    derive a surface of one'"'"'s own into output/surfaces/'
 	@echo 'make equations   write the derived energies and equations of motion as output/equations.tex [MODES="2 2"]'
 	@echo 'make check       run all tests'
 	@echo 'make chart       error against seconds and calls of all integrators: table and chart [MODES="7 7"]'
 	@echo 'make stability   where integrators and model turn unstable, predicted and measured: table and chart'
 	@echo 'make choices     all scenes and 20 random ones: the chosen models against 30 + 30 modes'
+	@echo 'make surfaces    convergence in modes of the scenes on surfaces: table and chart'
 	@echo 'make fuzz        more of the random round trip [N=10000 SEED=1]'
 	@echo 'make dist        an archive of the sources'
 	@echo 'make clean       remove what runs have written'
@@ -29,7 +31,7 @@ setup:
 	@.ci/setup
 
 derive:
-	@maxima/derive "$(GENERATED)" "$(MODES_LITERAL)"
+	@$(if $(SURFACE),maxima/derive_surface "$(or $(OUTPUT),output/surfaces)" "$(SURFACE)",maxima/derive "$(GENERATED)" "$(MODES_LITERAL)")
 
 equations:
 	@maxima/write_equations "$(or $(OUTPUT),output)" "$(or $(MODES),2 2)"
@@ -48,6 +50,9 @@ stability:
 
 choices:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; verify_choices (shipped_and_random (20))'
+
+surfaces:
+	@$(run_octave) --eval 'source octave/toolchain_path.m; surface_modes ();'
 
 check:
 	@tests/check

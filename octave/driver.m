@@ -19,6 +19,10 @@ function result = driver (scene = "paper", varargin)
   start = tic ();
   command = repeat_command (scene, varargin);
   [scene, name] = load_scene (scene);
+  if (isfield (scene, "surface"))
+    result = drive_surface (scene, name, varargin);
+    return;
+  endif
   [scene, folder] = take_options (scene, fullfile ("output", name), varargin);
   if (isfield (scene, "bodies"))
     result = simulate_mechanism (scene, name, folder, command);

@@ -14,7 +14,7 @@ function warnings = spin_warning (scene, model, phi_dot)
   endif
   warnings = {};
   omega_1 = simply_supported_frequency (scene, model);
-  if (! model.shortening && ! strcmp (rung_name (model.rung), "rigid") && phi_dot > 0.3*omega_1)
+  if (! model.shortening && isempty (scene.rod.curvature) && ! strcmp (rung_name (model.rung), "rigid") && phi_dot > 0.3*omega_1)
     warnings = {sprintf(["phi_dot reaches %.3g rad/s, the simply supported rod's first frequency is %.3g rad/s: without" ...
                          " foreshortening the rod loses its stiffness there; take model.stiffening = \"foreshortening\""], ...
                         phi_dot, omega_1)};

@@ -28,6 +28,11 @@ function table = model_ladder (scene = "paper", varargin)
   for rung = {chosen, sines}
     table = add (table, run_ode45 (scene, rung{1}, reference, chosen));
   endfor
+  exact = exact_rod (scene, 10);
+  if (! isempty (exact))
+    row = row_of (chosen, exact.count.method, distance (exact, reference), exact.count.seconds, exact.count.calls, []);
+    table = add (table, setfield (setfield (row, "model", "geometrically exact, 10 + 10 polynomials"), "label", "exact"));
+  endif
   publish_run (folder, {"models.csv", "models.svg", "models.png"}, @(aside) write_ladder (table, scene, aside));
   printf ("%s/ has models.csv, models.svg, models.png\n", folder);
 endfunction

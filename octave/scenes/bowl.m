@@ -1,0 +1,17 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{scene} =} bowl ()
+## A rod is pushed along the wall of a spherical bowl and swings about its lowest point.
+## @end deftypefn
+
+function scene = bowl ()
+  scene.title = "A rod circles in a bowl";
+  scene.surface = struct ("name", "sphere", "radius", 0.5);
+  scene.rod = struct ("length", 0.5, "EA", 2e3, "EI", 0.05, "EI_normal", 0.01, "rhoA", 0.2, "half_height", 0.008);
+  scene.initial = struct ("point", [0.3 -0.2], "angle", 1.4);
+  scene.initial.velocity = @(xi, alpha) 3.5*[-alpha(2,:); alpha(1,:)];
+  scene.duration = 1.5;
+  scene.model.modes = [10 10];
+  scene.view = struct ("elevation", 45, "azimuth", -40, "turning", 20);
+endfunction
+
+%!assert (bowl ().surface.name, "sphere")

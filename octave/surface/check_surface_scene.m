@@ -1,0 +1,107 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{scene} =} check_surface_scene (@var{given})
+## The scene of a rod on a surface with all its fields: those @var{given}, checked, and the defaults of
+## @code{surface_scene_fields}.  Loads come back as functions of t.
+## @end deftypefn
+
+function scene = check_surface_scene (given)
+  fields = surface_scene_fields ();
+  refuse_unknown (rmfield (given, "surface"), "", fields(:,1));
+  scene = struct ("surface", given.surface);
+  for field = fields.'
+    [name, value, kind] = field{:};
+    path = strsplit (name, ".");
+    if (is_given (given, path))
+      value = getfield (given, path{:});
+      check_value (name, value, kind);
+    elseif (isnumeric (value) && isscalar (value) && isnan (value))
+      scene_error ("%s is missing: it takes %s", name, kind);
+    endif
+    scene = setfield (scene, path{:}, value);
+  endfor
+  if (isempty (scene.rod.EI_normal))
+    scene.rod.EI_normal = scene.rod.EI;
+  endif
+  if (isempty (scene.rod.half_height))
+    scene.rod.half_height = scene.rod.length/200;
+  endif
+  if (! isfield (scene.surface, "side"))
+    scene.surface.side = 1;
+  elseif (! any (isequal (scene.surface.side, 1) || isequal (scene.surface.side, -1) || isequal (scene.surface.side, 0)))
+    scene_error ("surface.side is not 1, -1 or 0: the side of the normal, the other, or both");
+  endif
+  scene.moment_breaks = unique (scene.moment_breaks(:).');
+  scene.moment = load_function (scene.moment, "moment", 1, scene.duration);
+  scene.tip_moment = load_function (scene.tip_moment, "tip_moment", 1, scene.duration);
+  scene.force = load_function (scene.force, "force", 3, scene.duration);
+endfunction
+
+function check_value (name, value, kind)
+  switch (name)
+    case "ends"
+      good = iscellstr (value) && numel (value) == 2 && all (ismember (value, {"free", "hinge", "clamped"}));
+    case "force"
+      good = is_function_handle (value) || (isnumeric (value) && numel (value) == 3 && all (isfinite (value)));
+    case "initial.point"
+      good = isnumeric (value) && isreal (value) && numel (value) == 2 && all (isfinite (value));
+    case "model.modes"
+      good = isempty (value_error ("[N1 N2]", value)) && all (value >= 3);
+      kind = [kind ", at least 3 each"];
+    otherwise
+      good = isempty (value_error (kind, value)) || (isempty (value) && ! isempty (strfind (name, "initial")));
+  endswitch
+  if (! good)
+    got = value_error ("nothing", value);
+    scene_error ("%s is %s: it takes %s", name, got, kind);
+  endif
+endfunction
+
+function found = is_given (given, path)
+  found = isfield (given, path{1}) && (numel (path) == 1 || isfield (given.(path{1}), path{2}));
+endfunction
+
+function refuse_unknown (given, prefix, names)
+  for [value, key] = given
+    name = [prefix key];
+    if (any (strncmp ([name "."], names, numel (name) + 1)) && isstruct (value))
+      refuse_unknown (value, [name "."], names);
+    elseif (! any (strcmp (name, names)))
+      scene_error ("%s is not a field of a scene on a surface: those are surface, %s", name, strjoin (names.', ", "));
+    endif
+  endfor
+endfunction
+
+function f = load_function (given, name, numbers, duration)
+  f = given;
+  if (isnumeric (given))
+    f = @(t) given(:);
+  endif
+  for t = [0, duration/2, duration]
+    try
+      value = f (t);
+    catch err
+      scene_error ("%s fails at t = %g: %s", name, t, err.message);
+    end_try_catch
+    if (! (isnumeric (value) && isreal (value) && numel (value) == numbers && all (isfinite (value(:)))))
+      scene_error ("%s gives %s at t = %g: it takes %d numbers", name, mat2str (value), t, numbers);
+    endif
+  endfor
+endfunction
+
+%!function scene = smallest ()
+%!  scene = struct ("surface", struct ("name", "sphere", "radius", 1), "duration", 1, ...
+%!                  "rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1));
+%!endfunction
+
+%!test # defaults are filled in
+%! scene = check_surface_scene (smallest ());
+%! assert (scene.rod.EI_normal, 1); assert (scene.gravity, 9.81); assert (scene.force (3), [0; 0; 0]);
+%!error <rod.EA is -1: it takes positive number in N> check_surface_scene (setfield (smallest (), "rod", "EA", -1))
+%!error <rod.EI is missing> check_surface_scene (setfield (smallest (), "rod", struct ("length", 1, "EA", 1)))
+%!error <colour is not a field of a scene on a surface> check_surface_scene (setfield (smallest (), "colour", 1))
+%!error <ends is a 1-by-1 cell: it takes two of "free", "hinge" and "clamped">
+%! check_surface_scene (setfield (smallest (), "ends", {"free"}))
+%!error <model.modes is 2   2: it takes two numbers> check_surface_scene (setfield (smallest (), "model", "modes", [2 2]))
+%!error <force gives 3 at t = 0: it takes 3 numbers> check_surface_scene (setfield (smallest (), "force", @(t) 3))
+%!error <tip_moment fails at t = 0: no> check_surface_scene (setfield (smallest (), "tip_moment", @(t) error ("no")))
+%!error <surface.side is not 1, -1 or 0> check_surface_scene (setfield (smallest (), "surface", "side", 2))

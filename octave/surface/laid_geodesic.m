@@ -1,0 +1,45 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{alpha} =} laid_geodesic (@var{surface}, @var{point}, @var{angle}, @var{stations})
+## The chart's coordinates (2-by-m) of a rod that lies unstretched on a geodesic of the @var{surface} (see
+## @code{surface_functions}) at its @var{stations} (1-by-m, m, ascending from 0): from the @var{point} (2 coordinates) at
+## the @var{angle} (rad) from the chart's first direction to its second.
+## @end deftypefn
+
+function alpha = laid_geodesic (surface, point, angle, stations)
+  [a_11, a_12, a_22] = surface.mass (point(1), point(2), 1);
+  a = [a_11, a_12; a_12, a_22];
+  across = [-a_12; a_11]/sqrt (a_11*det (a));
+  slope = cos (angle)*[1; 0]/sqrt (a_11) + sin (angle)*across;
+  if (! (all (isfinite (slope)) && isreal (slope) && det (a) > 1e-12*trace (a)^2))
+    scene_error ("initial.point is [%g %g]: the surface's chart is singular there", point);
+  endif
+  kept = {lsode_options("relative tolerance"), lsode_options("absolute tolerance"), lsode_options("step limit")};
+  unwind_protect
+    lsode_options ("relative tolerance", 1e-13);
+    lsode_options ("absolute tolerance", 1e-13);
+    lsode_options ("step limit", 1e5);
+    [path, state] = lsode (@(y, s) rate (y, surface), [point(:); slope], [0; stations(:)]);
+  unwind_protect_cleanup
+    lsode_options ("relative tolerance", kept{1});
+    lsode_options ("absolute tolerance", kept{2});
+    lsode_options ("step limit", kept{3});
+  end_unwind_protect
+  if (state != 2 || ! all (isfinite (path(:))))
+    scene_error ("initial.point and initial.angle lay the rod across a point where the surface's chart is singular");
+  endif
+  alpha = path(2:end,1:2).';
+endfunction
+
+function y_dot = rate (y, surface)
+  [second_1, second_2] = surface.geodesic (y(1), y(2), y(3), y(4));
+  y_dot = [y(3); y(4); second_1; second_2];
+endfunction
+
+%!test # a great circle through the lowest point, as long as it is
+%! surface = surface_functions (struct ("name", "sphere", "radius", 2));
+%! alpha = laid_geodesic (surface, [0 0], 0.3, [0 0.5 1.5]);
+%! [x, y, z] = surface.position (alpha(1,:), alpha(2,:));
+%! s = [0 0.5 1.5];
+%! assert ([x; y; z], 2*[cos(0.3)*sin(s/2); sin(0.3)*sin(s/2); -cos(s/2)], 1e-10);
+%!error <initial.point is \[0 1\]: the surface's chart is singular there>
+%! laid_geodesic (surface_functions (struct ("name", "cone", "half_angle", 1)), [0 1], 0, [0 1]);

@@ -1,0 +1,42 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{history} =} measure_surface (@var{system}, @var{scene}, @var{times}, @var{states})
+## What is observed of a rod on a surface at the @var{times} (1-by-m): t, tip (3-by-m, m), q (N-by-m) with q_names, T, U, Z,
+## W, D (0) and balance (J), angular_momentum about the origin (3-by-m), reaction (p-by-m, N/m, see
+## @code{normal_reaction}), and the centreline x, y, z (101-by-m, m) with the unit normals n_1, n_2, n_3 there.
+## @end deftypefn
+
+function history = measure_surface (system, scene, times, states)
+  n = system.n;
+  [z, z_dot] = deal (states(1:n,:), states(n+1:2*n,:));
+  history.t = times;
+  history.q = system.place.start + system.place.basis*z;
+  history.q_names = [numbered("alpha1", scene.model.modes(1)), numbered("alpha2", scene.model.modes(2))];
+  E = surface_energies (system, z, z_dot);
+  [history.T, history.U, history.Z] = deal (E(1,:), E(2,:), E(3,:));
+  history.angular_momentum = E(4:6,:);
+  history.W = states(2*n+1,:);
+  history.D = zeros (size (times));
+  history.balance = history.T + history.U + history.Z - history.W;
+  history.reaction = normal_reaction (system, z, z_dot);
+  stations = linspace (0, scene.rod.length, 101).';
+  fields = system.fields (z, z_dot, z_dot, stations);
+  [history.x, history.y, history.z] = system.surface.position (fields{1:2});
+  [history.n_1, history.n_2, history.n_3] = system.surface.normal (fields{1:2});
+  history.alpha = fields(1:2);
+  history.tip = [history.x(end,:); history.y(end,:); history.z(end,:)];
+  history.largest_strain = max (max (abs (system.surface.strains (fields{1:6}))));
+endfunction
+
+function names = numbered (name, count)
+  names = arrayfun (@(k) sprintf ("%s_%d", name, k), 0:count-1, "uniformoutput", false);
+endfunction
+
+%!test # at rest on a level plane
+%! scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 1, ...
+%!                 "rod", struct ("length", 2, "EA", 3, "EI", 1, "rhoA", 1.5), "model", struct ("modes", [3 3]));
+%! scene = check_surface_scene (scene);
+%! system = surface_rod (scene);
+%! history = measure_surface (system, scene, [0 1], [system.initial_state, system.initial_state]);
+%! assert (history.tip, [2 2; 0 0; 0 0], 1e-12);
+%! assert (history.reaction, 1.5*9.81*ones (12, 2), 1e-10);
+%! assert (history.q_names{4}, "alpha2_0");

@@ -1,0 +1,46 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{reaction} =} normal_reaction (@var{system}, @var{z}, @var{z_dot})
+## What the surface does to the rod of @code{surface_rod}: force per length along the normal (N/m, positive where it
+## pushes to the normal's side) at the quadrature's points (p-by-m, at m states).  Derivatives along the rod are those of
+## the polynomials through these points' values.
+## @end deftypefn
+
+function reaction = normal_reaction (system, z, z_dot)
+  fields = system.fields (z, z_dot, z_dot, system.points);
+  [parts{1:3}] = system.surface.reaction (fields{1:8}, system.rod{:});
+  p = rows (parts{1});
+  degree = p - 4;  # a little below interpolation, against rounding
+  [values, slopes] = legendre_functions (degree, system.points, sum (system.weights));
+  derivative = slopes*((values.'.*system.weights.'*values) \ (values.'.*system.weights.'));
+  reaction = parts{1} - derivative*(parts{2} - derivative*parts{3});
+endfunction
+
+%!test # a rod at rest along the lowest ruling of a cylinder is carried, one that moves there is, too
+%! scene = struct ("surface", struct ("name", "cylinder", "radius", 1), "duration", 1, ...
+%!                 "rod", struct ("length", 2, "EA", 100, "EI", 1, "rhoA", 1.5), "model", struct ("modes", [5 5]));
+%! scene.initial.velocity = @(xi, alpha) [0*xi; 3 + 0*xi];
+%! system = surface_rod (check_surface_scene (scene));
+%! n = system.n;
+%! z = zeros (n, 1);
+%! assert (normal_reaction (system, z, z), 1.5*9.81*ones (rows (system.points), 1), 1e-8);
+%! v = system.initial_state(n+1:2*n);
+%! assert (normal_reaction (system, z, v), 1.5*(9.81 + 9)*ones (rows (system.points), 1), 1e-8);
+%!function slopes = legendre_slopes (n, xi)
+%!  [~, slopes] = legendre_functions (n, xi, 1);
+%!endfunction
+
+%!test # a rod that rests in a hollow: the reaction, and what its ends are held with, carry its weight
+%! scene = struct ("surface", struct ("name", "bumps", "height", 0.1, "wave_number_1", 1, "wave_number_2", 1.5), "duration", 1, ...
+%!                 "rod", struct ("length", 1, "EA", 1e3, "EI", 0.5, "EI_normal", 2, "GJ", 1, "rhoA", 1.5), "model", struct ("modes", [16 16]));
+%! scene.initial.shape = @(xi) [0.8*(xi - 0.5); 0.6*(xi - 0.5)];
+%! system = surface_rod (check_surface_scene (scene));
+%! z = surface_equilibrium (system);
+%! f = system.fields (z, z, z, system.points);
+%! [~, ~, n_3] = system.surface.normal (f{1:2});
+%! [parts{1:3}] = system.surface.reaction (f{1:6}, 0*f{7}, 0*f{8}, system.rod{:});
+%! fit = legendre_functions (30, system.points, 1);
+%! [ends, slopes] = legendre_functions (30, [0; 1], 1);
+%! at = @(base, value) base*(fit \ value);
+%! held = at (ends, parts{2} - at (legendre_slopes (30, system.points), parts{3})).*at (ends, n_3) + at (ends, parts{3}).*at (slopes, n_3);
+%! r = normal_reaction (system, z, 0*z);
+%! assert (system.weights.'*(r.*n_3) + held(2) - held(1), 1.5*9.81, 1e-4);

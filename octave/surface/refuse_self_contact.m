@@ -1,0 +1,27 @@
+## -*- texinfo -*-
+## @deftypefn {} {} refuse_self_contact (@var{history}, @var{scene})
+## An error where two points of the rod, further apart along it than twice its height, come nearer in space than its height
+## (2*half_height): the model lets a rod pass through itself.
+## @end deftypefn
+
+function refuse_self_contact (history, scene)
+  p = rows (history.x);
+  height = 2*scene.rod.half_height;
+  spacing = scene.rod.length/(p - 1);
+  [i, j] = find (triu (ones (p), ceil (2*height/spacing) + 2));
+  near = max (height, 0.75*spacing)^2;
+  for k = 1:numel (history.t)
+    far = (history.x(i,k) - history.x(j,k)).^2 + (history.y(i,k) - history.y(j,k)).^2 + (history.z(i,k) - history.z(j,k)).^2;
+    [least, at] = min (far);
+    if (least < near)
+      error ("toolchain:integration", ["the rod touches itself at t = %.4g s, %.3g m and %.3g m along it: contact of the rod" ...
+             " with itself is not modelled; take a stiffer rod, a shorter time or another start\n"], ...
+             history.t(k), (i(at) - 1)*spacing, (j(at) - 1)*spacing);
+    endif
+  endfor
+endfunction
+
+%!error <the rod touches itself at t = 2 s, 0 m and 6.\d* m along it>
+%! s = linspace (0, 2*pi, 101).';
+%! refuse_self_contact (struct ("t", [1 2], "x", [s, cos(s)], "y", [0*s, sin(s)], "z", [s s]*0), ...
+%!                      struct ("rod", struct ("length", 2*pi, "half_height", 0.01)));

@@ -1,0 +1,19 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{E} =} surface_energies (@var{system}, @var{z}, @var{z_dot})
+## Kinetic energy, strain energy, potential energy of gravity (J) and the three components of the angular momentum about
+## the origin (kg m^2/s), a row each, of the rod of @code{surface_rod}: 6-by-m at m states.
+## @end deftypefn
+
+function E = surface_energies (system, z, z_dot)
+  fields = system.fields (z, z_dot, z_dot, system.points);
+  [density{1:6}] = system.surface.energies (fields{1:8}, system.rod{:});
+  E = cell2mat (cellfun (@(d) system.weights.'*d, density.', "uniformoutput", false));
+endfunction
+
+%!test # a rod that turns about its start on the level plane
+%! scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 1, ...
+%!                 "rod", struct ("length", 2, "EA", 3, "EI", 1, "rhoA", 1.5), "model", struct ("modes", [3 3]));
+%! scene.initial.velocity = @(xi, alpha) [0*xi; 5*xi];
+%! system = surface_rod (check_surface_scene (scene));
+%! n = system.n;
+%! assert (surface_energies (system, system.initial_state(1:n), system.initial_state(n+1:2*n)), [50; 0; 0; 0; 0; 20], 1e-10);

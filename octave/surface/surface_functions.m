@@ -1,0 +1,71 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{surface} =} surface_functions (@var{given})
+## The derived functions of the surface @var{given}, a struct of its name and its parameters: a struct of position,
+## normal, geodesic, mass, balance, energies, strains, point_loads and reaction, which take the arguments of
+## generated/surface_NAME_*.m but for the parameters, arrays of any size.
+##
+## Surfaces of one's own (`make derive SURFACE=file') are found in output/surfaces/.  Unknown names, missing and unknown
+## parameters and such that are not positive are errors.
+## @end deftypefn
+
+function surface = surface_functions (given)
+  root = fileparts (fileparts (fileparts (mfilename ("fullpath"))));
+  own = fullfile (root, "output", "surfaces");
+  if (isfolder (own) && isempty (strfind (path (), own)))
+    addpath (own);
+  endif
+  if (! (isstruct (given) && isscalar (given) && isfield (given, "name") && ischar (given.name)))
+    scene_error ("surface is no struct with a name: it takes one of %s with its parameters", names_of_surfaces (root, own));
+  elseif (! exist (["surface_" given.name "_position"], "file"))
+    scene_error ("surface.name is \"%s\": it takes one of %s, or what `make derive SURFACE=file' has derived", ...
+                 given.name, names_of_surfaces (root, own));
+  endif
+  parameters = values_of (rmfield (given, "name"), parameters_of (given.name), given.name);
+  for kind = {"position", "normal", "geodesic", "mass", "balance", "energies", "strains", "point_loads", "reaction"}
+    derived = str2func (sprintf ("surface_%s_%s", given.name, kind{1}));
+    surface.(kind{1}) = @(varargin) derived (varargin{:}, parameters{:});
+  endfor
+endfunction
+
+function names = names_of_surfaces (root, own)
+  files = [glob(fullfile (root, "generated", "surface_*_position.m")); glob(fullfile (own, "surface_*_position.m"))];
+  names = strjoin (regexprep (files.', '.*surface_(\w+)_position\.m$', '$1'), ", ");
+endfunction
+
+## as the signature of the derived function has them
+function names = parameters_of (name)
+  text = fileread (which (["surface_" name "_position"]));
+  signature = regexp (text, '\nfunction [^(]*\(([^)]*)\)', "tokens", "once"){1};
+  names = strtrim (strsplit (strrep (signature, "...", ""), ","))(3:end);
+endfunction
+
+function values = values_of (given, names, surface)
+  unknown = setdiff (fieldnames (given).', [names, {"side"}]);
+  if (! isempty (unknown))
+    scene_error ("surface.%s is not a parameter of the %s: those are %s", unknown{1}, surface, strjoin (names, ", "));
+  endif
+  values = {};
+  for name = names
+    if (! isfield (given, name{1}))
+      scene_error ("surface.%s is missing: it takes a positive number", name{1});
+    endif
+    value = given.(name{1});
+    got = value_error ("nonnegative number", value);
+    if (! isempty (got))
+      scene_error ("surface.%s is %s: it takes a positive number", name{1}, got);
+    endif
+    values{end+1} = value;
+  endfor
+endfunction
+
+%!test # the lowest point of a lying cylinder, and its normal
+%! surface = surface_functions (struct ("name", "cylinder", "radius", 2));
+%! [x, y, z] = surface.position ([0 1], [0 0]);
+%! assert ([x; y; z], [0 1; 0 0; -2 -2], 1e-15);
+%! [n_1, n_2, n_3, determinant] = surface.normal (0, 0);
+%! assert ([n_1 n_2 n_3 determinant], [0 0 1 1], 1e-15);
+%!error <surface.name is "egg": it takes one of bumps, cone, cylinder, plane, saddle, sphere, torus> surface_functions (struct ("name", "egg"))
+%!error <surface.radius is missing> surface_functions (struct ("name", "sphere"))
+%!error <surface.radius is -1: it takes a positive number> surface_functions (struct ("name", "sphere", "radius", -1))
+%!error <surface.height is not a parameter of the sphere: those are radius> surface_functions (struct ("name", "sphere", "radius", 1, "height", 2))
+%!error <surface is no struct with a name> surface_functions (3)

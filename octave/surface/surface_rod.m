@@ -1,0 +1,132 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{system} =} surface_rod (@var{scene})
+## The rod of a checked scene (see @code{check_surface_scene}) on its surface as a system y_dot = rate (t, y, interval)
+## with the state y = (z; z_dot; W): coordinates in what the ends leave free, q = start + basis*z, their rates, work of the
+## loads.
+##
+## Fields: n coordinates, initial_state, place (see @code{place_rod}), residual (t, z, z_dot, z_ddot) = mass times
+## acceleration less forces (n-by-m, at m times), power (t, z, z_dot) of the loads, mass_matrix (z), rate, size (z), the
+## largest displacement (m) that goes with a small change of z, fields (z, z_dot, z_ddot, stations) = arguments of the
+## surface's functions at stations of the rod, surface, rod (stiffnesses and mass as these functions take them), points and
+## weights (p-by-1, m, of the quadrature), breaks, state_scale, mass, stiffness (linear about the start), turned, duration.
+## @end deftypefn
+
+function system = surface_rod (scene)
+  surface = surface_functions (scene.surface);
+  system.place = place_rod (scene, surface);
+  system.surface = surface;
+  system.n = columns (system.place.basis);
+  [x, weights] = gauss_points (2*max (scene.model.modes) + 6);
+  [system.points, system.weights] = deal (scene.rod.length*x, scene.rod.length*weights);
+  r = scene.rod;
+  system.rod = {r.rhoA, r.EA, r.EI, r.EI_normal, r.GJ, scene.gravity};
+  inside = rod_basis (scene, system.place, system.points);
+  ends = rod_basis (scene, system.place, [0; r.length]);
+  system.fields = @(z, z_dot, z_ddot, stations) fields_at (rod_basis (scene, system.place, stations), z, z_dot, z_ddot);
+  system.residual = @(t, z, z_dot, z_ddot) residual (t, z, z_dot, z_ddot, inside, ends, system, scene);
+  system.power = @(t, z, z_dot) sum (z_dot.*load_of (t, z, ends, system, scene), 1);
+  system.mass_matrix = @(z) mass_matrix (z, inside, system, r.rhoA);
+  system.rate = @(t, y, interval) rate (t, y, interval, system);
+  start = zeros (system.n, 1);
+  velocity = system.place.basis.'*system.place.velocity;
+  refuse_singular (surface, system.fields (start, start, start, linspace (0, r.length, 501).'), "at the start");
+  scale = lengths_per_coordinate (surface, fields_at (inside, start, velocity, start));
+  system.size = @(z) max (max (abs (inside.values{1}*z)*scale(1), abs (inside.values{2}*z)*scale(2))(:));
+  system.mass = system.mass_matrix (start);
+  system.stiffness = tangent_stiffness (system, 0, start, velocity, start);
+  per_coordinate = 1./max (max (abs (inside.values{1}))*scale(1), max (abs (inside.values{2}))*scale(2)).';
+  system.initial_state = [start; velocity; 0];
+  system.state_scale = [per_coordinate; per_coordinate/scene.duration; r.rhoA*r.length*abs(scene.gravity) + r.EI/r.length^2];
+  system.breaks = scene.moment_breaks;
+  system.duration = scene.duration;
+  system.turned = false;
+endfunction
+
+function base = rod_basis (scene, place, stations)
+  modes = scene.model.modes;
+  base.stations = stations;
+  for i = 1:2
+    part = (i - 1)*modes(1) + (1:modes(i));
+    [base.values{i}, base.slopes{i}, base.seconds{i}] = legendre_functions (modes(i), stations, scene.rod.length);
+    for kind = {"values", "slopes", "seconds"}
+      base.(["start_" kind{1}]){i} = base.(kind{1}){i}*place.start(part);
+      base.(kind{1}){i} *= place.basis(part,:);
+    endfor
+  endfor
+endfunction
+
+## alpha1, alpha2, their slopes, second derivatives, rates and second rates: a row a station, a column a time
+function fields = fields_at (b, z, z_dot, z_ddot)
+  fields = {b.start_values{1} + b.values{1}*z, b.start_values{2} + b.values{2}*z, ...
+            b.start_slopes{1} + b.slopes{1}*z, b.start_slopes{2} + b.slopes{2}*z, ...
+            b.start_seconds{1} + b.seconds{1}*z, b.start_seconds{2} + b.seconds{2}*z, ...
+            b.values{1}*z_dot, b.values{2}*z_dot, b.values{1}*z_ddot, b.values{2}*z_ddot};
+endfunction
+
+function R = residual (t, z, z_dot, z_ddot, b, ends, system, scene)
+  fields = fields_at (b, z, z_dot, z_ddot);
+  [d{1:6}] = system.surface.balance (fields{:}, system.rod{:});
+  w = system.weights;
+  R = b.values{1}.'*(w.*d{1}) + b.values{2}.'*(w.*d{2}) + b.slopes{1}.'*(w.*d{3}) + b.slopes{2}.'*(w.*d{4}) ...
+      + b.seconds{1}.'*(w.*d{5}) + b.seconds{2}.'*(w.*d{6}) - load_of (t, z, ends, system, scene);
+endfunction
+
+## generalized forces of the loads at both ends
+function Q = load_of (t, z, ends, system, scene)
+  m = columns (z);
+  f = fields_at (ends, z, z, z);
+  often = m/numel (t);
+  force = repmat (at_times (scene.force, t), 1, often);
+  both = repmat ([at_times(scene.moment, t); at_times(scene.tip_moment, t)], 1, often);
+  none = zeros (1, m);
+  [d{1:4}] = system.surface.point_loads (f{1:4}, [none; force(1,:)], [none; force(2,:)], [none; force(3,:)], both);
+  Q = ends.values{1}.'*d{1} + ends.values{2}.'*d{2} + ends.slopes{1}.'*d{3} + ends.slopes{2}.'*d{4};
+endfunction
+
+function M = mass_matrix (z, b, system, rhoA)
+  fields = fields_at (b, z, z, z);
+  [m_11, m_12, m_22] = system.surface.mass (fields{1:2}, rhoA);
+  w = system.weights;
+  M = b.values{1}.'*((w.*m_11).*b.values{1}) + b.values{2}.'*((w.*m_22).*b.values{2});
+  mixed = b.values{1}.'*((w.*m_12).*b.values{2});
+  M += mixed + mixed.';
+endfunction
+
+function y_dot = rate (t, y, interval, system)
+  n = system.n;
+  t = min (max (t, interval(1)), interval(2));
+  [z, z_dot] = deal (y(1:n,:), y(n+1:2*n,:));
+  R = system.residual (t, z, z_dot, zeros (size (z)));
+  for k = 1:columns (y)
+    z_ddot(:,k) = -(system.mass_matrix (z(:,k)) \ R(:,k));
+  endfor
+  y_dot = [z_dot; z_ddot; system.power(t, z, z_dot)];
+endfunction
+
+function scale = lengths_per_coordinate (surface, fields)
+  [a_11, ~, a_22] = surface.mass (fields{1:2}, 1);
+  scale = sqrt ([max(a_11(:)), max(a_22(:))]);
+endfunction
+
+%!function scene = pendulum ()
+%!  scene = struct ("surface", struct ("name", "torus", "core_radius", 1, "tube_radius", 0.4), "duration", 1, ...
+%!                  "rod", struct ("length", 1, "EA", 100, "EI", 0.1, "EI_normal", 0.2, "GJ", 0.3, "rhoA", 2), ...
+%!                  "ends", {{"hinge", "free"}}, "model", struct ("modes", [4 5]), "tip_moment", 0.3, "force", [1 2 3]);
+%!  scene.initial = struct ("angle", 1);
+%!  scene = check_surface_scene (scene);
+%!endfunction
+
+%!test # power of all forces is the rate of the energies, at a random state
+%! rand ("seed", 1);
+%! system = surface_rod (pendulum ());
+%! [z, z_dot, z_ddot] = deal (0.1*rand (system.n, 1), rand (system.n, 1), rand (system.n, 1));
+%! h = 1e-5;
+%! E = @(s) sum (surface_energies (system, z + s*z_dot + s^2/2*z_ddot, z_dot + s*z_ddot)(1:3,:), 1);
+%! rate = (8*(E (h) - E (-h)) - (E (2*h) - E (-2*h)))/(12*h);
+%! power = z_dot.'*system.residual (0, z, z_dot, z_ddot) + system.power (0, z, z_dot);
+%! assert (power, rate, 1e-7*abs (rate));
+%!test # the mass matrix is what multiplies the accelerations
+%! system = surface_rod (pendulum ());
+%! [z, e] = deal (0.1*ones (system.n, 1), full (eye (system.n)));
+%! M = system.residual (0, repmat (z, 1, system.n), 0*e, e) - system.residual (0, z, 0*z, 0*z);
+%! assert (system.mass_matrix (z), M, 1e-9);

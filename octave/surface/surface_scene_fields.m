@@ -1,0 +1,46 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{fields} =} surface_scene_fields ()
+## All fields of a scene of a rod on a surface, beside scene.surface (see @code{surface_functions}), as in
+## @code{scene_fields}.
+##
+## Loads are a moment at the rod's start and one at its end, about the surface's normal, and a force at its end, fixed in
+## space.  The rod starts unstretched on a geodesic from initial.point at initial.angle from the chart's first direction
+## to its second, unless initial.shape gives its place.  The first of the ends is that of xi = 0.  On a surface with a side
+## the rod lies on that side of it (1: where the normal points, -1: the other), 0: it cannot leave it.
+## @end deftypefn
+
+function fields = surface_scene_fields ()
+  fields = {
+    "title",               "",                 "text"
+    "rod.length",          NaN,                "positive number in m"
+    "rod.EA",              NaN,                "positive number in N"
+    "rod.EI",              NaN,                "positive number in N m^2"
+    "rod.EI_normal",       [],                 "nonnegative number in N m^2"
+    "rod.GJ",              0,                  "nonnegative number in N m^2"
+    "rod.rhoA",            NaN,                "positive number in kg/m"
+    "rod.half_height",     [],                 "positive number in m"
+    "ends",                {{"free", "free"}}, "two of \"free\", \"hinge\" and \"clamped\""
+    "gravity",             9.81,               "number in m/s^2"
+    "moment",              0,                  "number or function of t in N m"
+    "tip_moment",          0,                  "number or function of t in N m"
+    "force",               [0 0 0],            "three numbers or function of t in N"
+    "moment_breaks",       [],                 "vector of times in s"
+    "initial.point",       [0 0],              "vector of two coordinates of the chart"
+    "initial.angle",       0,                  "number in rad"
+    "initial.shape",       [],                 "function of xi that returns the chart's coordinates, 2-by-m"
+    "initial.velocity",    [],                 "function of xi and these coordinates that returns their rates, 2-by-m"
+    "duration",            NaN,                "positive number in s"
+    "frames_per_second",   50,                 "positive number in 1/s"
+    "view.elevation",      35,                 "number in degrees"
+    "view.azimuth",        30,                 "number in degrees"
+    "view.turning",        0,                  "number in degrees per second"
+    "model.modes",         [12 12],            "two numbers of modes [N1 N2]"
+    "solver.name",         "auto",             "\"auto\", \"gauss\", \"ode45\", \"ode15s\", \"lsode_adams\" or \"lsode_bdf\""
+    "solver.tolerance",    1e-5,               "positive number in m"
+  };
+endfunction
+
+%!test # the table's kinds are all known
+%! for field = surface_scene_fields ().'
+%!   assert (ischar (value_error (field{3}, {})));
+%! endfor
