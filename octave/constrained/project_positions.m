@@ -1,11 +1,16 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{q}, @var{residual}] =} project_positions (@var{system}, @var{t}, @var{q})
+## @deftypefn {} {[@var{q}, @var{residual}] =} project_positions (@var{system}, @var{t}, @var{q}, @var{seconds})
 ## The coordinates near @var{q} (n-by-1) that meet the constraints at the time @var{t} (s), by Newton's iteration with the
-## shortest steps in the mass metric, and the largest @var{residual} left.
+## shortest steps in the mass metric, and the largest @var{residual} left.  Stiffness times @var{seconds}^2 (0) is added to the
+## mass: with a second, rods are rather moved than bent.
 ## @end deftypefn
 
-function [q, residual] = project_positions (system, t, q)
+function [q, residual] = project_positions (system, t, q, seconds = 0)
   residual = Inf;
+  metric = 0;
+  if (seconds > 0)
+    metric = seconds^2*system.stiffness;
+  endif
   for iteration = 1:50
     at = system.at (t, q, 0*q);
     [mass, jacobian] = system.matrices (at);
@@ -14,7 +19,7 @@ function [q, residual] = project_positions (system, t, q)
     if (residual < 1e-14 || (residual < 1e-11 && residual > last/4))
       return;
     endif
-    step = saddle_solve (system, 0, mass, jacobian, 0*q, -at.constraints.residual);
+    step = saddle_solve (system, 0, mass + metric, jacobian, 0*q, -at.constraints.residual);
     largest = max (abs (step)./system.q_scale);
     q += step*min (1, 0.5/largest);  # half a metre, half a radian on a rod of a metre
   endfor

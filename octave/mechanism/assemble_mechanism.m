@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{start}, @var{warnings}] =} assemble_mechanism (@var{scene}, @var{mechanism}, @var{system})
-## The first state, a struct of q, v, W, D: what the scene states, brought onto the constraints by projection in the mass
-## metric; @var{warnings} (cellstr) say what that changed, and which bodies hang on nothing.
+## The first state, a struct of q, v, W, D: what the scene states, brought onto the constraints by projection, of positions
+## in the metric of mass and stiffness (rods are moved, not bent), of velocities in the mass metric; @var{warnings} (cellstr) say what that changed, and which bodies hang on nothing.
 ##
 ## A mechanism that cannot be assembled is an error that names the joints that stay apart, one whose constraints depend
 ## on each other one that names these.
@@ -9,7 +9,7 @@
 
 function [start, warnings] = assemble_mechanism (scene, mechanism, system)
   [given_q, given_v] = placed_bodies (scene, mechanism);
-  [q, residual] = project_positions (system, 0, given_q);
+  [q, residual] = project_positions (system, 0, given_q, 1);
   if (! (residual < 1e-9))
     refuse_open (scene, mechanism, system, q);
   endif

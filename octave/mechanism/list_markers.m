@@ -62,5 +62,5 @@ endfunction
 
 %!test # equal rods at equal stations are one group
 %! mechanism = sample_mechanism ([0 1]).mechanism;
-%! assert (mechanism.marker_count, 9);
-%! assert (isequal (sort ([mechanism.markers.numbers]), 1:6));
+%! assert (mechanism.marker_count, 10);
+%! assert (isequal (sort ([mechanism.markers.numbers]), 1:7));

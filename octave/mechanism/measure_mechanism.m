@@ -32,4 +32,4 @@ endfunction
 %! states = first_states (system, [0 1], start); states.q(:,2) = start.q; states.v(:,2) = start.v;
 %! history = measure_mechanism (system, [0 1], states);
 %! assert (history.balance(1), history.balance(2), 1e-12);
-%! assert (history.bodies(1).tip_x, [0.5 0.5], 1e-6);
+%! assert (history.bodies(1).tip_x, [0.5 0.5], 0.01);

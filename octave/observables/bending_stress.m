@@ -13,3 +13,9 @@ function stress = bending_stress (rod, model, stations, V)
                                  rod.lambda, rod.mu);
   endif
 endfunction
+
+%!test # a half wave: E h times the curvature; none without a section
+%! model = struct ("base", base_functions ([], 1, 2), "length", 2);
+%! rod = struct ("half_height", 0.01, "width", 0.02, "lambda", 0, "mu", 1e11);
+%! assert (bending_stress (rod, model, 1, 0.1), 2e11*0.01*(pi/2)^2*0.1, 1);
+%! assert (isempty (bending_stress (setfield (rod, "width", []), model, 1, 0.1)));

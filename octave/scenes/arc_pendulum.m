@@ -12,3 +12,5 @@ function scene = arc_pendulum ()
   scene.zoom = 5;
   scene.solver.tolerance = 2e-4;
 endfunction
+
+%!assert (check_scene (arc_pendulum ()).rod.curvature, -2)

@@ -16,3 +16,5 @@ function scene = chain (n = 5)
   scene.duration = 1;
   scene.solver.tolerance = 1e-6;
 endfunction
+
+%!assert (numel (chain (7).joints), 7)

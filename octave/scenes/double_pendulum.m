@@ -19,3 +19,8 @@ function scene = double_pendulum ()
   scene.zoom = 20;
   scene.solver.tolerance = 1e-7;
 endfunction
+
+%!test # it can be assembled
+%! scene = check_mechanism (double_pendulum ());
+%! mechanism = build_mechanism (scene, mechanism_rungs (scene, ones (1, numel (scene.bodies))));
+%! assemble_mechanism (scene, mechanism, mechanism_system (scene, mechanism));

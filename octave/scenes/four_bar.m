@@ -31,3 +31,8 @@ function scene = four_bar ()
   scene.zoom = 100;
   scene.solver.tolerance = 1e-5;
 endfunction
+
+%!test # it can be assembled
+%! scene = check_mechanism (four_bar ());
+%! mechanism = build_mechanism (scene, mechanism_rungs (scene, ones (1, numel (scene.bodies))));
+%! assemble_mechanism (scene, mechanism, mechanism_system (scene, mechanism));

@@ -15,3 +15,7 @@ function scene = hook ()
   scene.zoom = 10;
   scene.solver.tolerance = 5e-4;
 endfunction
+
+%!test # straight, then three quarters of a circle
+%! axis = rod_axis (check_scene (hook ()).rod, 16);
+%! assert (axis.weights*axis.kappa.', 1.5*pi, 1e-9);

@@ -12,3 +12,8 @@ function scene = ring ()
   scene.zoom = 3;
   scene.solver.tolerance = 1e-3;
 endfunction
+
+%!test # it closes
+%! rod = check_scene (ring ()).rod;
+%! [x, y] = undeformed_places (struct ("axis", rod_axis (rod, 16)), rod.length);
+%! assert (hypot (x, y), 0, 1e-9);

@@ -26,3 +26,8 @@ function scene = slider_crank ()
   scene.zoom = 50;
   scene.solver.tolerance = 1e-8;
 endfunction
+
+%!test # it can be assembled
+%! scene = check_mechanism (slider_crank ());
+%! mechanism = build_mechanism (scene, mechanism_rungs (scene, ones (1, numel (scene.bodies))));
+%! assemble_mechanism (scene, mechanism, mechanism_system (scene, mechanism));

@@ -29,3 +29,8 @@ endfunction
 function row = smooth_step (s)
   row = [s^3*(10 - 15*s + 6*s^2), 30*s^2*(1 - s)^2, 60*s*(1 - s)*(1 - 2*s)];
 endfunction
+
+%!test # it can be assembled
+%! scene = check_mechanism (two_link_arm ());
+%! mechanism = build_mechanism (scene, mechanism_rungs (scene, ones (1, numel (scene.bodies))));
+%! assemble_mechanism (scene, mechanism, mechanism_system (scene, mechanism));
