@@ -16,14 +16,14 @@ function [mechanism, choice] = choose_mechanism (scene)
     return;
   endif
   limit = scene.solver.tolerance/2;
-  trial = @(levels) mechanism_trial (scene, levels);
+  trial = @(levels) setfield (mechanism_trial (scene, mechanism_rungs (scene, levels)), "levels", levels);
   runs = {trial(0*open)};
   do
     level = numel (runs);
     runs{end+1} = trial (level*open);
     error = Inf;
     if (level > 1)
-      error = farthest (runs{end-2}, runs{end});
+      error = distance (runs{end-2}, runs{end});
       choice.tried = [choice.tried, struct("levels", runs{end-2}.levels, "error_m", error, "seconds", runs{end-2}.seconds)];
     endif
   until (error <= limit || level >= 12)
@@ -33,7 +33,7 @@ function [mechanism, choice] = choose_mechanism (scene)
       levels = best.levels;
       levels(k)--;
       smaller = trial (levels);
-      off = farthest (smaller, reference);
+      off = distance (smaller, reference);
       choice.tried = [choice.tried, struct("levels", levels, "error_m", off, "seconds", smaller.seconds)];
       if (off > limit)
         break;
@@ -42,23 +42,6 @@ function [mechanism, choice] = choose_mechanism (scene)
     endwhile
   endfor
   [mechanism, choice.error, choice.levels] = deal (best.mechanism, error, best.levels);
-endfunction
-
-function run = mechanism_trial (scene, levels)
-  start = tic ();
-  mechanism = build_mechanism (scene, mechanism_rungs (scene, levels));
-  history = run_mechanism (scene, mechanism);
-  run = struct ("levels", levels, "mechanism", mechanism, "x", {{}}, "y", {{}});
-  for k = 1:numel (history.bodies)
-    model = mechanism.models{k};
-    [run.x{k}, run.y{k}] = body_centreline (model, linspace (0, model.length, 11), history.bodies(k), 1);
-  endfor
-  run.seconds = toc (start);
-endfunction
-
-function metres = farthest (a, b)
-  off = @(k) max (hypot (a.x{k} - b.x{k}, a.y{k} - b.y{k})(:));
-  metres = max (arrayfun (off, 1:numel (a.x)));
 endfunction
 
 %!test # a soft rod needs modes, a stiff one none

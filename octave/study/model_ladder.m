@@ -6,12 +6,17 @@
 ## Leaves models.csv, models.svg and models.png in the folder of the scene's output.  @var{table} is a struct array of
 ## model, method, error_m, seconds, calls, label (in the chart), stiffening, chosen and extrapolated.  The rungs are integrated by `exponential', the chosen
 ## one by `ode45' too, and so are the paper's 7 + 7 sines, as they are: where that would take more than 4 million calls,
-## the seconds are extrapolated from a part of the duration, and there is no error.
+## the seconds are extrapolated from a part of the duration, and there is no error.  Mechanisms and curved rods have a
+## ladder of numbers of modes, see @code{convergence_ladder}.
 ## @end deftypefn
 
 function table = model_ladder (scene = "paper", varargin)
   [scene, name] = load_scene (scene);
   [scene, folder] = take_options (scene, fullfile ("output", name), varargin);
+  if (isfield (scene, "bodies") || (isfield (scene, "rod") && isfield (scene.rod, "curvature")))
+    table = convergence_ladder (scene, folder);
+    return;
+  endif
   scene = check_scene (scene);
   scene.solver.tolerance = tolerance_in_metres (scene);
   choice = choose_model (setfield (scene, "model", "modes", "auto"));

@@ -21,14 +21,14 @@ function summary = write_surface_run (folder, system, scene, history, summary, s
 endfunction
 
 function report (folder, summary)
-  printf ("%s\n", summary.title);
-  printf ("a rod of %d + %d polynomials on the surface %s\n", summary.modes, summary.surface.name);
-  printf ("%s, tolerance %.2g m: %d steps, %d calls, energy balance within %.1g\n", summary.method, summary.tolerance_m, ...
+  say ("%s", summary.title);
+  say ("a rod of %d + %d polynomials on the surface %s", summary.modes, summary.surface.name);
+  say ("%s, tolerance %.2g m: %d steps, %d calls, energy balance within %.1g", summary.method, summary.tolerance_m, ...
           summary.steps, summary.rate_calls, summary.largest_energy_error);
-  printf ("seconds: %.1f integration, %.1f pictures, %.1f in all\n", summary.seconds.integration, summary.seconds.pictures, ...
+  say ("seconds: %.1f integration, %.1f pictures, %.1f in all", summary.seconds.integration, summary.seconds.pictures, ...
           summary.seconds.total);
-  cellfun (@(text) printf ("warning: %s\n", text), summary.warnings);
-  printf ("%s/ has history.csv, summary.json, frames/, animation.mp4, animation.gif, figure3.svg, history.svg\n", folder);
+  cellfun (@(text) say ("warning: %s", text), summary.warnings);
+  say ("%s/ has history.csv, summary.json, frames/, animation.mp4, animation.gif, figure3.svg, history.svg", folder);
 endfunction
 
 %!test # every file is there
