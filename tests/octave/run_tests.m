@@ -1,8 +1,8 @@
-## All %!test blocks of octave/, where every function file has some, and of tests/octave/.
+## All %!test blocks of the files in the FOLDERS of the environment; every function file has some.
 source octave/toolchain_path.m
 root = pwd ();
-addpath (fullfile (root, "tests", "octave"));
-[status, listing] = system ("find octave tests/octave -name '*.m' | sort");
+addpath (fullfile (root, "tests", "octave"), fullfile (root, "tests", "physics"));
+[status, listing] = system ("find $FOLDERS -name '*.m' | sort");
 failed = 0;
 for file = strsplit (strtrim (listing), "\n")
   text = fileread (file{1});
