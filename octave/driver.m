@@ -20,7 +20,7 @@ function result = driver (scene = "paper", varargin)
   command = repeat_command (scene, varargin);
   [scene, name] = load_scene (scene);
   if (isfield (scene, "surface"))
-    result = drive_surface (scene, name, varargin);
+    result = drive_surface (scene, name, varargin, command);
     return;
   endif
   [scene, folder] = take_options (scene, fullfile ("output", name), varargin);

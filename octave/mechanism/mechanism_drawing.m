@@ -6,7 +6,8 @@
 function drawing = mechanism_drawing (scene, mechanism, history)
   frames = numel (history.t);
   drawing = struct ("title", scene.title, "time", history.t, "frames_per_second", scene.frames_per_second, ...
-                    "zoom", scene.zoom, "gravity", scene.gravity, "moment", zeros (1, frames), "moment_breaks", scene.breaks);
+                    "frame_size", scene.frame_size, "zoom", scene.zoom, "gravity", scene.gravity, ...
+                    "moment", zeros (1, frames), "moment_breaks", scene.breaks);
   for k = 1:numel (history.bodies)
     model = mechanism.models{k};
     rod = scene.bodies(k).rod;

@@ -44,7 +44,7 @@ endfunction
 
 %!assert (load_scene ("paper").duration, 1.8)
 %!assert (numel (load_scene ("chain(3)").bodies), 3)
-%!error <no scene "nowhere": it is one of axial_shock, .*paper,> load_scene ("nowhere")
+%!error <no scene "nowhere": it is one of arc_pendulum, .*paper,.*two_link_arm> load_scene ("nowhere")
 %!error <a scene is a name, a path or a struct, not a double> load_scene (3)
 %!test # a file of one's own, in a folder with a space
 %! folder = tempname (); mkdir (folder); own = fullfile (folder, "own scene"); mkdir (own);

@@ -22,7 +22,10 @@
 ## @item panels
 ## those of @file{history.svg}, from top to bottom;
 ## @item spectrum
-## where there is one, for the foot of @file{history.svg}: a struct like that of @code{tip_spectrum}.
+## where there is one, for the foot of @file{history.svg}: a struct like that of @code{tip_spectrum};
+## @item surface, backdrop
+## of a rod on a surface: what is drawn in three dimensions (see @code{draw_surface_frames}), the @code{bodies} being what
+## the camera sees at the start, and lines of the surface (cell array of m-by-2, m) behind those.
 ## @end table
 ##
 ## @var{warnings} is a cell array of texts: what could not be made, and why. @var{seconds} is a struct of how long
@@ -32,14 +35,15 @@
 
 function [warnings, seconds] = draw_pictures (drawing, folder)
   check_drawing (drawing);
+  [figure, frames] = {@draw_figure3, @draw_frames; @draw_surface_figure, @draw_surface_frames}{1 + isfield(drawing, "surface"),:};
   scratch = @(name) fullfile (folder, ["scratch_" name]);
   cellfun (@(name) mkdir (scratch (name)), {"figure3", "history", "frames"});
   jobs = [];
   unwind_protect
     start = tic ();
-    jobs = [draw_figure3(drawing, scratch ("figure3")), draw_history(drawing, scratch ("history"))];
+    jobs = [figure(drawing, scratch ("figure3")), draw_history(drawing, scratch ("history"))];
     frames_start = tic ();
-    jobs = [jobs, draw_frames(drawing, scratch ("frames"))];
+    jobs = [jobs, frames(drawing, scratch ("frames"))];
     cellfun (@(job) finish_tool (job), num2cell (jobs(1:2)));
     seconds.figures = toc (start);
     cellfun (@(job) finish_tool (job), num2cell (jobs(3:end)));

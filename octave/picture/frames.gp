@@ -1,14 +1,5 @@
 # One picture a frame, from first to last: the scene at the left, its time histories at the right.
-# Lengths are in units, from the left, the right, the bottom and the top.
-set terminal pngcairo size width,height font "sans-serif,12.5" fontscale unit linewidth unit pointscale unit
-X(units) = units*real(unit)/width
-R(units) = 1 - X(units)
-Y(units) = units*real(unit)/height
-T(units) = 1 - Y(units)
-units_high = height/real(unit)
-
-strip_height = strips < 2 ? 240 : (units_high - 210 - 30*(strips - 1))/strips
-bottom(i) = 65 + (strips - i)*(strip_height + 30)
+load here."units.gp"
 
 set cbrange [stress_low:stress_high]
 set cblabel stress_label textcolor rgb ink offset 0.3
@@ -45,28 +36,7 @@ do for [frame=first:last] {
        $pins with lines lc rgb ink lw 1.5, \
        $moment with lines lt 2 lw 2.5
 
-  unset label
-  unset arrow
-  unset ylabel
-  set xrange [t_low:t_high]
-  set xtics t_step
-  column = 1
-  do for [i=1:strips] {
-    set margins at screen R(320),at screen R(25),at screen Y(bottom(i)),at screen Y(bottom(i) + strip_height)
-    set yrange [real(word(low, i)):real(word(high, i))]
-    set ytics real(word(step, i))
-    set xlabel (i == strips ? "{/:Italic t}, s" : "")
-    set format x (i == strips ? "%h" : "")
-    set label 1 word(labels, i) at screen R(320),Y(bottom(i) + strip_height + 14) noenhanced
-    n = int(word(curves, i))
-    set key at screen R(25),Y(bottom(i) + strip_height + 4) right bottom horizontal noenhanced samplen 1 textcolor rgb ink
-    plot for [k=1:n] $history using 1:column+k with lines lc rgb light notitle, \
-         for [k=1:n] $history using 1:column+k every ::0::frame-1 with lines lt k title (n > 1 && k <= int(word(named, i)) ? word(names, column + k - 1) : ""), \
-         for [k=1:n] $history using 1:column+k every ::frame-1::frame-1 with points lt k pt 7 ps 1.2 notitle
-    column = column + n
-  }
-  unset format
-  unset key
+  load here."strips.gp"
   unset multiplot
   unset output
 }

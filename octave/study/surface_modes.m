@@ -31,7 +31,7 @@ function write (table, scenes, numbers, folder)
   mkdir (scratch);
   write_text (fullfile (scratch, "settings.gp"), [gnuplot_settings(struct ("names", strjoin (scenes))), ...
                                                   gnuplot_block("modes", {[numbers; table].'})]);
-  run_gnuplot (scratch, "surface_modes.gp");
+  finish_tool (start_gnuplot (scratch, "surface_modes.gp"));
   confirm_recursive_rmdir (false, "local");
   rmdir (scratch, "s");
 endfunction

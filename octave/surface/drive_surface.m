@@ -1,10 +1,10 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{result} =} drive_surface (@var{scene}, @var{name}, @var{options})
+## @deftypefn {} {@var{result} =} drive_surface (@var{scene}, @var{name}, @var{options}, @var{command})
 ## @code{driver} for a scene that has a surface: simulate the rod on it and leave history, summary, frames, film and
-## figures.  The result has the fields scene, system, history and summary.
+## figures; @var{command} is what repeats it.  The result has the fields scene, system, history and summary.
 ## @end deftypefn
 
-function result = drive_surface (scene, name, options)
+function result = drive_surface (scene, name, options, command = "")
   start = tic ();
   [scene, folder] = take_options (scene, fullfile ("output", name), options);
   scene = check_surface_scene (scene);
@@ -21,8 +21,10 @@ function result = drive_surface (scene, name, options)
     rethrow (err);
   end_try_catch
   summary = summarise_surface (name, scene, history, count);
+  summary.command = command;
   if (! isempty (folder))
-    summary = write_surface_run (folder, system, scene, history, summary, start);
+    summary = write_run (folder, scene, summary, start, @(file) write_surface_history (history, file), ...
+                         @() surface_drawing (system, scene, history));
   endif
   result = struct ("scene", scene, "system", system, "history", history, "summary", summary);
 endfunction
@@ -32,4 +34,18 @@ endfunction
 %! result = driver (scene, "output", "", "modes", [5 5]);
 %! assert (numel (result.history.t), 6);
 %! assert (result.summary.largest_energy_error < 1e-7);
+%!test # every file is there
+%! folder = tempname (); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   scene = setfield (setfield (bowl (), "duration", 0.04), "model", "modes", [6 6]);
+%!   evalc ("driver (scene, 'output', folder);");
+%!   for name = {"history.csv", "summary.json", "frames/frame_0003.png", "figure3.svg", "figure3.png", "figure3.pdf", ...
+%!               "history.svg", "report.html"}
+%!     assert (stat (fullfile (folder, name{1})).size > 300, name{1});
+%!   endfor
+%!   lines = strsplit (fileread (fullfile (folder, "history.csv")), "\n");
+%!   assert (strncmp (lines{1}, "t [s],tip_x [m],tip_y [m],tip_z [m],alpha1_0,", 40));
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect
 %!error <speed is not a field of a scene on a surface> driver (setfield (large_swing (), "speed", 1), "output", "")

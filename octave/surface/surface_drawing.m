@@ -1,48 +1,60 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{patch}, @var{settings}] =} surface_drawing (@var{system}, @var{scene}, @var{history})
-## What is drawn of the surface: rows x, y, z, shade of a grid of the chart around all that the rod reaches, with a row of
-## NaN after each line, and the settings of surface.gp.
+## @deftypefn {} {@var{drawing} =} surface_drawing (@var{system}, @var{scene}, @var{history})
+## What the pictures show of a run of a rod on a surface (see @code{measure_surface}): the struct that
+## @code{draw_pictures} takes. Its body is the rod as the camera sees it at the start, its field @code{surface} what is
+## drawn in three dimensions (see @code{draw_surface_frames}).
 ## @end deftypefn
 
-function [patch, settings] = surface_drawing (system, scene, history)
-  lines = 36;
-  for i = 1:2
-    low = min (history.alpha{i}(:));
-    high = max (history.alpha{i}(:));
-    margin{i} = [low, high];
-  endfor
-  [a_11, ~, a_22] = system.surface.mass (history.alpha{1}(:,1), history.alpha{2}(:,1), 1);
-  lengths = sqrt ([max(a_11), max(a_22)]);
-  spans = [diff(margin{1}), diff(margin{2})].*lengths;
-  for i = 1:2
-    wider = (0.15*max (spans) + 0.3*max (0, 0.5*max (spans) - spans(i)))/lengths(i);
-    grid{i} = linspace (margin{i}(1) - wider, margin{i}(2) + wider, lines);
-  endfor
-  [alpha1, alpha2] = meshgrid (grid{:});
-  [x, y, z] = system.surface.position (alpha1, alpha2);
-  [n_1, n_2, n_3] = system.surface.normal (alpha1, alpha2);
-  azimuth = deg2rad (scene.view.azimuth + 30);
-  shade = 0.55 + 0.45*abs (0.55*(n_1*sin(azimuth) - n_2*cos(azimuth)) + 0.8*n_3);
-  patch = [];
-  for k = 1:lines
-    patch = [patch; x(:,k), y(:,k), z(:,k), shade(:,k); NaN(1, 4)];
-  endfor
-  settings = struct ("title", scene.title, "title_size", min (20, 1300/numel (scene.title)), "magnification", 1.5);
-  settings.x = around (x, 3*scene.rod.half_height);
-  settings.y = around (y, 3*scene.rod.half_height);
-  settings.z = around (z, 3*scene.rod.half_height);
+function drawing = surface_drawing (system, scene, history)
+  frames = numel (history.t);
+  drawing = struct ("title", scene.title, "time", history.t, "frames_per_second", scene.frames_per_second, ...
+                    "frame_size", scene.frame_size, "zoom", 1, "gravity", scene.gravity, ...
+                    "moment", zeros (1, frames), "moment_breaks", scene.moment_breaks);
+  ## A little towards the rod's side of the surface, which would hide it.
+  lift = scene.rod.half_height*(scene.surface.side + (scene.surface.side == 0));
+  rod = struct ("x", history.x + lift*history.n_1, "y", history.y + lift*history.n_2, "z", history.z + lift*history.n_3);
+  patch = surface_patch (system, scene, history);
+  drawing.surface = struct ("patch", patch, "rod", rod, "room", 3*scene.rod.half_height, ...
+                            "elevation", scene.view.elevation, ...
+                            "azimuth", scene.view.azimuth + scene.view.turning*history.t);
+
+  [x, y] = seen (rod, scene.view);
+  drawing.bodies = struct ("half_height", scene.rod.half_height, "x", x, "y", y, "rest_x", x, "rest_y", y, "stress", []);
+  held = [1, rows(x)](! strcmp (scene.ends, "free"));
+  drawing.hinges = struct ("x", x(held,:), "y", y(held,:));
+  [x, y] = seen (patch, scene.view);
+  drawing.backdrop = [lines_of(x, y), lines_of(x.', y.')];
+
+  tip = new_panel ("tip", "m", {"x", "y", "z"}, history.tip);
+  reaction = new_panel ("reaction", "N/m", {"smallest", "largest"}, ...
+                        [min(history.reaction, [], 1); max(history.reaction, [], 1)]);
+  if (max (abs (history.reaction(:))) < 1e-12*scene.rod.EA/scene.rod.length)
+    reaction = [];  # rounding, as on an upright plane
+  endif
+  momentum = new_panel ("angular momentum", "kg m²/s", {"x", "y", "z"}, history.angular_momentum);
+  energies = energy_panels (history);
+  drawing.strips = [tip, reaction, energies(1)];
+  drawing.panels = [tip, reaction, energies, momentum];
 endfunction
 
-## with room for the rod, which is drawn over the surface
-function range = around (values, room)
-  range = [min(values(:)), max(values(:))] + [-1, 1]*room;
+## in the camera's plane, z upwards
+function [x, y] = seen (points, view)
+  x = points.y*cosd (view.azimuth) - points.x*sind (view.azimuth);
+  y = points.z*cosd (view.elevation) - (points.x*cosd (view.azimuth) + points.y*sind (view.azimuth))*sind (view.elevation);
 endfunction
 
-%!test # a grid with gaps between its lines
-%! scene = check_surface_scene (setfield (bowl (), "duration", 0.02));
+## each fifth column, x and y
+function lines = lines_of (x, y)
+  lines = arrayfun (@(k) [x(:,k), y(:,k)], 1:5:columns (x), "uniformoutput", false);
+endfunction
+
+%!test # from above, x is to the right for a camera in the direction of -y
+%! scene = check_surface_scene (setfield (setfield (bowl (), "duration", 0.02), "view", ...
+%!                                        struct ("elevation", 90, "azimuth", -90, "turning", 0)));
 %! system = surface_rod (scene);
-%! y = system.initial_state;
-%! [patch, settings] = surface_drawing (system, scene, measure_surface (system, scene, 0, y));
-%! assert (columns (patch), 4);
-%! assert (all (isnan (patch(37:37:end,1))));
-%! assert (settings.z(1) < -0.4 && settings.z(2) > settings.z(1));
+%! history = measure_surface (system, scene, [0 1], [system.initial_state, system.initial_state]);
+%! drawing = surface_drawing (system, scene, history);
+%! check_drawing (drawing);
+%! assert (drawing.bodies.x, drawing.surface.rod.x, 1e-12);
+%! assert (drawing.bodies.y, drawing.surface.rod.y, 1e-12);
+%! assert (columns (drawing.hinges.x), 2); assert (rows (drawing.hinges.x), 0);

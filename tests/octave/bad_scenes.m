@@ -53,7 +53,11 @@ endfunction
 %!   check (field{1}, eye (2), sprintf ("is a 2-by-2 double: it takes vector of %s", field{2}));
 %! endfor
 
+%! check ("rod.curvature_breaks", [1 NaN], "is 1   NaN: it takes vector of stations in m");
+
 %!test # functions
+%! check ("rod.curvature", "bent", "is \"bent\": it takes vector or function of xi in 1/m");
+%! check ("rod.curvature", NaN, "is NaN: it takes vector or function of xi in 1/m");
 %! check ("moment", "strong", "is \"strong\": it takes number or function of t in N m");
 %! check ("moment", NaN, "is NaN: it takes number or function of t in N m");
 %! check ("rotation", 3, "is 3: it takes function of t that returns [theta theta_dot theta_ddot]");

@@ -26,6 +26,12 @@
     return points;
   }
 
+  function pairs(line) {  // x and y in turn, in units
+    const points = [];
+    for (let i = 0; i < line.length; i += 2) { points.push([line[i] * data.unit, line[i + 1] * data.unit]); }
+    return points;
+  }
+
   const share = () => data.zoom > 0 ? factor / data.zoom : 0;
 
   function fit() {  // everything in all frames, with a margin
@@ -36,6 +42,9 @@
           for (let i = 0; i < 2; i++) { low[i] = Math.min(low[i], p[i]); high[i] = Math.max(high[i], p[i]); }
         }
       }
+    }
+    for (const p of data.backdrop.flatMap(pairs)) {
+      for (let i = 0; i < 2; i++) { low[i] = Math.min(low[i], p[i]); high[i] = Math.max(high[i], p[i]); }
     }
     const margin = 0.12 * Math.max(high[0] - low[0], high[1] - low[1]);
     view = { low: low.map((v) => v - margin), high: high.map((v) => v + margin), symbol: margin / 3 };
@@ -75,6 +84,9 @@
     const ink = colour("--ink"), soft = colour("--soft");
     const lines = data.bodies.map((body) => centreline(body, frame, share()));
 
+    c.strokeStyle = colour("--line");
+    c.lineWidth = 1;
+    data.backdrop.forEach((line) => { path(c, pairs(line).map(at)); c.stroke(); });
     c.strokeStyle = soft;
     c.lineWidth = 1.2;
     c.setLineDash([5, 5]);

@@ -36,6 +36,10 @@ function json = report_data (drawing)
   endfor
   data.hinges = arrayfun (@(i) hinge_data (drawing, i, shown, data.unit), 1:rows (drawing.hinges.x), ...
                          "UniformOutput", false);
+  data.backdrop = {};
+  if (isfield (drawing, "backdrop"))
+    data.backdrop = cellfun (@(line) num2cell (round (line.'(:).'/data.unit)), drawing.backdrop, "UniformOutput", false);
+  endif
   data.strips = arrayfun (@(strip) strip_data (strip, shown), drawing.strips(:).', "UniformOutput", false);
   json = strrep (jsonencode (data), "</", "<\\/");
 endfunction
@@ -114,6 +118,9 @@ endfunction
 %! data = jsondecode (report_data (sample_bodies (4)));
 %! assert ([data.hinges.body], [0 0]); assert ([data.hinges.point], [0 1]); assert ([data.hinges.ground], [true false]);
 %! assert (data.stress, false);
+%!test # lines behind a rod on a surface
+%! data = jsondecode (report_data (sample_surface (4)));
+%! assert (data.backdrop(2,:)*data.unit, sample_surface (4).backdrop{2}.'(:).', 1e-3);
 %!test # a text cannot end the script that it stands in
 %! drawing = sample_drawing (1);
 %! drawing.strips(1).label = "</script>";

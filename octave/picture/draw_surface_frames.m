@@ -1,0 +1,24 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{jobs} =} draw_surface_frames (@var{drawing}, @var{scratch})
+## As @code{draw_frames}, of a drawing with a @code{surface}: a struct of the @code{patch} (see @code{surface_patch}) and
+## the @code{rod} (a struct of x, y, z, P-by-F, m), with the @code{room} (m) that both have around them, the camera's
+## @code{elevation} (degrees) and its @code{azimuth} in each frame. What lies behind the surface is hidden.
+## @end deftypefn
+
+function jobs = draw_surface_frames (drawing, scratch)
+  mkdir (fullfile (scratch, "..", "frames"));
+  write_surface_settings (drawing, scratch, "png");
+  jobs = start_shares (scratch, "surface.gp", numel (drawing.time), ...
+                       @(frame) surface_frame_data (drawing, frame, sprintf ("../frames/frame_%04d", frame)));
+endfunction
+
+%!test # frames of the right size
+%! folder = tempname (); mkdir (folder); mkdir (fullfile (folder, "scratch")); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   drawing = setfield (sample_surface (2), "frame_size", [640 400]);
+%!   arrayfun (@finish_tool, draw_surface_frames (drawing, fullfile (folder, "scratch")));
+%!   information = imfinfo (fullfile (folder, "frames", "frame_0002.png"));
+%!   assert ([information.Width, information.Height], [640 400]);
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect

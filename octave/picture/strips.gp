@@ -1,0 +1,27 @@
+# The time histories at the right of a frame, up to which they are coloured; see strip_data.m.
+strip_height = strips < 2 ? 240 : (units_high - 210 - 30*(strips - 1))/strips
+bottom(i) = 65 + (strips - i)*(strip_height + 30)
+unset label
+unset arrow
+unset ylabel
+set xrange [t_low:t_high]
+set xtics t_step
+column = 1
+do for [i=1:strips] {
+  set margins at screen R(320),at screen R(25),at screen Y(bottom(i)),at screen Y(bottom(i) + strip_height)
+  set yrange [real(word(low, i)):real(word(high, i))]
+  set ytics real(word(step, i))
+  set xlabel (i == strips ? "{/:Italic t}, s" : "")
+  set format x (i == strips ? "%h" : "")
+  set label 1 word(labels, i) at screen R(320),Y(bottom(i) + strip_height + 14) noenhanced
+  n = int(word(curves, i))
+  named_here = n > 1 ? int(word(named, i)) : 0
+  set key at screen R(25),Y(bottom(i) + strip_height + 4) right bottom horizontal noenhanced samplen 1 textcolor rgb ink
+  plot for [k=1:n] $history using 1:column+k with lines lc rgb light notitle, \
+       for [k=1:n] $history using 1:column+k every ::0::frame-1 with lines lt k \
+                   title (k <= named_here ? word(names, column + k - 1) : ""), \
+       for [k=1:n] $history using 1:column+k every ::frame-1::frame-1 with points lt k pt 7 ps 1.2 notitle
+  column = column + n
+}
+unset format
+unset key

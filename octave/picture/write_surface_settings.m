@@ -1,0 +1,29 @@
+## -*- texinfo -*-
+## @deftypefn {} {} write_surface_settings (@var{drawing}, @var{scratch}, @var{kinds})
+## What @file{surface.gp} needs for all frames, in the folder @var{scratch}: @var{kinds} are the kinds of files, as words.
+## @end deftypefn
+
+function write_surface_settings (drawing, scratch, kinds)
+  patch = drawing.surface.patch;
+  settings = struct ("title", drawing.title, "title_size", min (20, 1300/numel (drawing.title)), "kinds", kinds, ...
+                     "slow", slow_motion (drawing));
+  [frame_size, settings.unit] = frame_units (drawing);
+  [settings.width, settings.height] = deal (frame_size(1), frame_size(2));
+  for axis = "xyz"
+    values = patch.(axis)(:);
+    settings.(axis) = [min(values), max(values)] + [-1, 1]*drawing.surface.room;
+  endfor
+  lines = arrayfun (@(k) [patch.x(:,k), patch.y(:,k), patch.z(:,k), patch.shade(:,k); NaN(1, 4)], ...
+                    1:columns (patch.x), "uniformoutput", false);
+  write_text (fullfile (scratch, "settings.gp"), [gnuplot_settings(settings), gnuplot_block("surface", {vertcat(lines{:})}), ...
+                                                  strip_data(drawing)]);
+endfunction
+
+%!test
+%! scratch = tempname (); mkdir (scratch); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   write_surface_settings (sample_surface (2), scratch, "png");
+%!   assert (! isempty (strfind (fileread (fullfile (scratch, "settings.gp")), "kinds = 'png'")));
+%! unwind_protect_cleanup
+%!   rmdir (scratch, "s");
+%! end_unwind_protect

@@ -1,0 +1,35 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{patch} =} surface_patch (@var{system}, @var{scene}, @var{history})
+## What is drawn of the surface: a grid of the chart around all that the rod reaches, as a struct of the 36-by-36 matrices
+## @code{x}, @code{y}, @code{z} (m) and @code{shade} (0 to 1).
+## @end deftypefn
+
+function patch = surface_patch (system, scene, history)
+  lines = 36;
+  for i = 1:2
+    low = min (history.alpha{i}(:));
+    high = max (history.alpha{i}(:));
+    margin{i} = [low, high];
+  endfor
+  [a_11, ~, a_22] = system.surface.mass (history.alpha{1}(:,1), history.alpha{2}(:,1), 1);
+  lengths = sqrt ([max(a_11), max(a_22)]);
+  spans = [diff(margin{1}), diff(margin{2})].*lengths;
+  for i = 1:2
+    wider = (0.15*max (spans) + 0.3*max (0, 0.5*max (spans) - spans(i)))/lengths(i);
+    grid{i} = linspace (margin{i}(1) - wider, margin{i}(2) + wider, lines);
+  endfor
+  [alpha1, alpha2] = meshgrid (grid{:});
+  [x, y, z] = system.surface.position (alpha1, alpha2);
+  [n_1, n_2, n_3] = system.surface.normal (alpha1, alpha2);
+  azimuth = deg2rad (scene.view.azimuth + 30);
+  shade = 0.55 + 0.45*abs (0.55*(n_1*sin(azimuth) - n_2*cos(azimuth)) + 0.8*n_3);
+  patch = struct ("x", x, "y", y, "z", z, "shade", shade);
+endfunction
+
+%!test # all of the rod lies within
+%! scene = check_surface_scene (setfield (bowl (), "duration", 0.02));
+%! system = surface_rod (scene);
+%! history = measure_surface (system, scene, 0, system.initial_state);
+%! patch = surface_patch (system, scene, history);
+%! assert (size (patch.shade), [36 36]);
+%! assert (min (patch.x(:)) < min (history.x) && max (patch.z(:)) > max (history.z));
