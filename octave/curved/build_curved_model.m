@@ -1,10 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{model} =} build_curved_model (@var{scene}, @var{rung})
 ## The model of a checked scene's curved rod with rung.sines = [N1 N2] base functions (see @code{curved_functions}): the fields of
-## @code{build_model}, with the same arrays from quadrature, and base.axis (see @code{rod_axis}).
-##
-## The base functions are turned back so that they have no angular momentum (the frame of Tisserand): else they come near
-## a rotation of the whole rod, and the mass matrix is nearly singular where there are many.
+## @code{build_model}, with the same arrays from quadrature (see @code{curved_base}).
 ## @end deftypefn
 
 function model = build_curved_model (scene, rung)
@@ -12,24 +9,17 @@ function model = build_curved_model (scene, rung)
   model.length = scene.rod.length;
   model.section = rod_section (scene.rod, scene.model);
   model.shortening = 0;
-  axis = rod_axis (scene.rod, max (16, ceil (max (rung.sines)/2)));
   model.base = base_functions (1:rung.sines(1), [1:rung.sines(2), repmat(-1, 1, rung.sines(2) > 0 && moment_at_O (scene))], ...
                                model.length);
-  rod = [];
-  if (isempty (scene.rod.EA) && strcmp (scene.model.energy, "paper"))
-    rod = scene.rod;
-  endif
-  arrays = curved_arrays (model.base, axis, model.section, rod);
-  model.base.axis = axis;
-  model.base.turned = arrays.coupling_vector.'/arrays.moment_of_inertia;
-  model.arrays = arrays = curved_arrays (model.base, axis, model.section, rod);
+  [model.base, arrays] = curved_base (model.base, scene.rod, model.section, scene.model.energy);
+  model.arrays = arrays;
   model.basis = eye (columns (arrays.mass_matrix));
   [model.whole_mass_matrix, model.whole_coupling_vector] = deal (arrays.mass_matrix, arrays.coupling_vector);
   model.followers = [];
-  at_O = curved_functions (model.base, axis, 0);
+  at_O = curved_functions (model.base, model.base.axis, 0);
   [model.arrays.slope_1, model.arrays.slope_2] = deal (at_O.e.', at_O.chi.');
   [model.arrays.follower_dd, model.arrays.follower_ds, model.arrays.follower_ss] = deal (0);
-  tip = curved_functions (model.base, axis, model.length);
+  tip = curved_functions (model.base, model.base.axis, model.length);
   model.force = struct ("shape_1", tip.u_1.', "shape_2", tip.u_2.', "shortening_matrix", zeros (size (arrays.mass_matrix)));
 endfunction
 

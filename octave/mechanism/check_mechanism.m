@@ -34,7 +34,10 @@ endfunction
 function body = check_body (body, what)
   check_section (body.rod, [what "."]);
   if (! isempty (body.rod.curvature))
-    scene_error ("%s.rod.curvature is given: a rod of a mechanism is straight; weld straight ones together", what);
+    check_curvature (body.rod, [what "."]);
+    if (body.tip_mass > 0 || strcmp (body.model.stiffening, "foreshortening"))
+      scene_error ("%s.rod.curvature is given: a curved rod takes no tip_mass and no model.stiffening", what);
+    endif
   endif
   if (strcmp (body.model.axial, "quasistatic"))
     scene_error ("%s.model.axial is \"quasistatic\": a rod of a mechanism takes \"dynamic\" or \"none\"", what);
@@ -98,12 +101,21 @@ function value = value_function (joint, what, scene)
 endfunction
 
 function angle = turned (joint, bodies)
-  angle = bodies(joint.bodies(1)).initial.phi;
+  angle = tangent_of (bodies(joint.bodies(1)), joint.stations(1));
   if (joint.bodies(2) > 0)
-    angle -= bodies(joint.bodies(2)).initial.phi;
+    angle -= tangent_of (bodies(joint.bodies(2)), joint.stations(2));
   else
     angle -= joint.direction;
   endif
+endfunction
+
+function angle = tangent_of (body, station)
+  base = struct ();
+  if (! isempty (body.rod.curvature))
+    base.axis = rod_axis (body.rod, 16, rod_section (body.rod, body.model));
+  endif
+  [~, ~, angle] = undeformed_places (base, station);
+  angle += body.initial.phi;
 endfunction
 
 %!function scene = two ()

@@ -16,7 +16,11 @@ function model = free_rod_model (body, rung)
     corrections = rung.corrections;
   endif
   model.base = base_functions (1:rung.sines(1), [1:rung.sines(2), corrections], model.length);
-  arrays = rod_arrays (model.base, model.section, model.shortening);
+  if (isempty (body.rod.curvature))
+    arrays = rod_arrays (model.base, model.section, model.shortening);
+  else
+    [model.base, arrays] = curved_base (model.base, body.rod, model.section, body.model.energy);
+  endif
   arrays.mass = model.section.rhoA*model.length;
   if (body.tip_mass > 0)
     arrays = add_point_mass (arrays, model.base, model.length, body.tip_mass, model.shortening);
@@ -29,7 +33,7 @@ function model = free_rod_model (body, rung)
 endfunction
 
 %!test # a rigid rod with a mass at its tip
-%! rod = struct ("length", 2, "EA", 1, "EI", 1, "rhoA", 3, "rhoI", 0, "damping", 0);
+%! rod = struct ("length", 2, "EA", 1, "EI", 1, "rhoA", 3, "rhoI", 0, "damping", 0, "curvature", []);
 %! body = struct ("rod", rod, "tip_mass", 5, "model", struct ("energy", "uniaxial", "rotary_inertia", true));
 %! model = free_rod_model (body, struct ("sines", [0 0], "stiffening", "none"));
 %! assert (model.arrays.mass, 11); assert (model.arrays.moment_of_inertia, 3*8/3 + 5*4, 1e-12);

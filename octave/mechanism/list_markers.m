@@ -57,7 +57,9 @@ function arguments = marker_arguments (model, station)
   if (model.shortening)
     along_slope *= 0;  # v1 is then the stretch along the bent rod, which does not turn its tangent
   endif
-  arguments = {station, along.', across.', along_slope.', across_slope.', model.shortening*shortening_at(model.base, station)};
+  [x, y, direction] = undeformed_places (model.base, station);
+  arguments = {x, y, direction, along.', across.', along_slope.', across_slope.', ...
+               model.shortening*shortening_at(model.base, station)};
 endfunction
 
 %!test # equal rods at equal stations are one group

@@ -12,8 +12,9 @@ function rungs = mechanism_rungs (scene, levels)
     choice = scene.bodies(k).model;
     if (ischar (choice.modes))
       level = levels(k);
+      default_stiffening = {"foreshortening", "none"}{1 + ! isempty(scene.bodies(k).rod.curvature)};
       rung = struct ("sines", [max(0, floor ((level - 1)/2))*! strcmp(choice.axial, "none"), level], ...
-                     "stiffening", strrep (choice.stiffening, "auto", "foreshortening"));
+                     "stiffening", strrep (choice.stiffening, "auto", default_stiffening));
       rung.corrections = clamped_ends (scene, k)(1:end*(level > 0));
     else
       rung = struct ("sines", double (choice.modes(:).'), "stiffening", strrep (choice.stiffening, "auto", "none"));

@@ -15,7 +15,7 @@ function [q, v] = placed_bodies (scene, mechanism)
       velocity(k,:) = [initial.x_dot, initial.y_dot];
     endif
   endfor
-  [place, velocity] = place_by_joints (scene, place, velocity);
+  [place, velocity] = place_by_joints (scene, mechanism, place, velocity);
   q = v = zeros (mechanism.n, 1);
   for k = 1:count
     initial = scene.bodies(k).initial;
@@ -26,8 +26,9 @@ function [q, v] = placed_bodies (scene, mechanism)
   endfor
 endfunction
 
-function [place, velocity] = place_by_joints (scene, place, velocity)
+function [place, velocity] = place_by_joints (scene, mechanism, place, velocity)
   kinds = {"revolute", "weld", "position"};
+  at = @(body, station) point_of (scene.bodies(body).initial, mechanism.models{body}.base, station);
   do
     placed = sum (! isnan (place(:,1)));
     for joint = scene.joints(:).'
@@ -41,26 +42,28 @@ function [place, velocity] = place_by_joints (scene, place, velocity)
         endif
         [point, rate] = deal (joint.point(:).', [0 0]);
         if (other > 0)
-          [point, rate] = point_of (scene.bodies(other), place(other,:), velocity(other,:), joint.stations(sides(2)));
+          [point, rate] = at (other, joint.stations(sides(2)));
+          [point, rate] = deal (point + place(other,:), rate + velocity(other,:));
         endif
         offset = joint.value (0)(1:min (end, 2),1:end*strcmp (joint.kind, "position"));
         if (! isempty (offset))
           [point, rate] = deal (point + (3 - 2*sides(1))*offset(1,:), rate + (3 - 2*sides(1))*offset(2,:));
         endif
-        [at_O, rate_at_O] = point_of (scene.bodies(mine), [0 0], [0 0], joint.stations(sides(1)));
-        place(mine,:) = point - at_O;
-        velocity(mine,:) = rate - rate_at_O;
+        [from_O, rate_from_O] = at (mine, joint.stations(sides(1)));
+        place(mine,:) = point - from_O;
+        velocity(mine,:) = rate - rate_from_O;
       endfor
     endfor
   until (sum (! isnan (place(:,1))) == placed)
   place(isnan (place)) = 0;
 endfunction
 
-## of the undeformed rod
-function [point, rate] = point_of (body, place, velocity, station)
-  phi = body.initial.phi;
-  point = place + station*[cos(phi), sin(phi)];
-  rate = velocity + station*body.initial.phi_dot*[-sin(phi), cos(phi)];
+## from O, of the undeformed rod
+function [point, rate] = point_of (initial, base, station)
+  [x_0, y_0] = undeformed_places (base, station);
+  [x, y] = rod_centreline (initial.phi, x_0, y_0*0, y_0);
+  point = [x, y];
+  rate = initial.phi_dot*[-y, x];
 endfunction
 
 function [V, V_dot] = amplitudes (initial, base, name)
