@@ -9,12 +9,13 @@ function announce_levels (choice)
     if (numel (levels) > 40)
       levels = sprintf ("%d to %d ", min (tried.levels), max (tried.levels));
     endif
-    say ("  bending modes %-42s %8.2g m %6.2f s%s", levels, tried.error_m, tried.seconds, ...
-            repmat (" <-", 1, isequal (tried.levels, choice.levels)));
+    taken = isequal ({tried.levels, tried.longitudinal}, {choice.levels, choice.longitudinal});
+    say ("  bending modes %-34s%-8s %8.2g m %6.2f s%s", levels, "and axial"(1:end*any (tried.longitudinal)), ...
+         tried.error_m, tried.seconds, repmat (" <-", 1, taken));
   endfor
 endfunction
 
 %!test
-%! tried = struct ("levels", [1 2], "error_m", 1e-5, "seconds", 0.5);
-%! text = evalc ("announce_levels (struct (\"tried\", tried, \"levels\", [1 2]))");
+%! tried = struct ("levels", [1 2], "longitudinal", [0 0], "error_m", 1e-5, "seconds", 0.5);
+%! text = evalc ("announce_levels (struct (\"tried\", tried, \"levels\", [1 2], \"longitudinal\", [0 0]))");
 %! assert (! isempty (regexp (text, "bending modes 1 2 .*1e-05 m   0.50 s <-")));

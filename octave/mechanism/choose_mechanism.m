@@ -4,44 +4,65 @@
 ## model.modes = "auto" (see @code{mechanism_rungs}); other bodies keep what they state.
 ##
 ## The levels of all rise together until the next ones but one move no point by more than half the tolerance; then each body
-## goes down for as long as that holds.  @var{choice}: tried (a struct array of levels, error_m, seconds) and error (m; []
-## where nothing was chosen), levels.
+## goes down for as long as that holds, and does without longitudinal modes where it can: they are the fastest.
+## @var{choice}: tried (a struct array of levels, longitudinal, error_m, seconds), error (m) and trial (see
+## @code{mechanism_trial}; [] where nothing was chosen), levels, longitudinal.
 ## @end deftypefn
 
 function [mechanism, choice] = choose_mechanism (scene)
   open = arrayfun (@(body) ischar (body.model.modes), scene.bodies);
-  choice = struct ("tried", struct ("levels", {}, "error_m", {}, "seconds", {}), "error", [], "levels", zeros (1, numel (open)));
+  none = 0*open;
+  choice = struct ("tried", struct ("levels", {}, "longitudinal", {}, "error_m", {}, "seconds", {}), "error", [], ...
+                   "trial", [], "levels", none, "longitudinal", none);
   if (! any (open))
-    mechanism = build_mechanism (scene, mechanism_rungs (scene, choice.levels));
+    mechanism = build_mechanism (scene, mechanism_rungs (scene, none));
     return;
   endif
   limit = scene.solver.tolerance/2;
-  trial = @(levels) setfield (mechanism_trial (scene, mechanism_rungs (scene, levels)), "levels", levels);
-  runs = {trial(0*open)};
+  runs = {trial_of(scene, none, none)};
   do
     level = numel (runs);
-    runs{end+1} = trial (level*open);
-    error = Inf;
+    runs{end+1} = trial_of (scene, level*open, longitudinal_modes (level*open));
     if (level > 1)
-      error = distance (runs{end-2}, runs{end});
-      choice.tried = [choice.tried, struct("levels", runs{end-2}.levels, "error_m", error, "seconds", runs{end-2}.seconds)];
+      choice = noted (choice, runs{end-2}, runs{end});
     endif
-  until (error <= limit || level >= 12)
-  [best, reference] = deal (runs{end-2}, runs{end});
+  until (level > 1 && (choice.error <= limit || level >= 12))
+  reference = runs{end};
   for k = find (open)
-    while (best.levels(k) > 0)
-      levels = best.levels;
-      levels(k)--;
-      smaller = trial (levels);
-      off = distance (smaller, reference);
-      choice.tried = [choice.tried, struct("levels", levels, "error_m", off, "seconds", smaller.seconds)];
-      if (off > limit)
-        break;
+    do
+      best = choice.trial;
+      if (best.levels(k) > 0)
+        less = best.levels - ((1:numel (open)) == k);
+        choice = lower (choice, trial_of (scene, less, min (best.longitudinal, longitudinal_modes (less))), reference, limit);
       endif
-      [best, error] = deal (smaller, off);
-    endwhile
+    until (isequal (choice.levels, best.levels))
+    if (choice.longitudinal(k) > 0)
+      without = choice.longitudinal.*((1:numel (open)) != k);
+      choice = lower (choice, trial_of (scene, choice.levels, without), reference, limit);
+    endif
   endfor
-  [mechanism, choice.error, choice.levels] = deal (best.mechanism, error, best.levels);
+  mechanism = choice.trial.mechanism;
+endfunction
+
+function trial = trial_of (scene, levels, longitudinal)
+  trial = mechanism_trial (scene, mechanism_rungs (scene, levels, longitudinal));
+  [trial.levels, trial.longitudinal] = deal (levels, longitudinal);
+endfunction
+
+function choice = noted (choice, trial, reference)
+  choice.error = distance (trial, reference);
+  choice.tried = [choice.tried, struct("levels", trial.levels, "longitudinal", trial.longitudinal, ...
+                                       "error_m", choice.error, "seconds", trial.seconds)];
+  [choice.trial, choice.levels, choice.longitudinal] = deal (trial, trial.levels, trial.longitudinal);
+endfunction
+
+## the smaller model, where that is within the limit
+function choice = lower (choice, trial, reference, limit)
+  smaller = noted (choice, trial, reference);
+  choice.tried = smaller.tried;
+  if (smaller.error <= limit)
+    choice = smaller;
+  endif
 endfunction
 
 %!test # a soft rod needs modes, a stiff one none

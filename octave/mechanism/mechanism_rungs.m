@@ -1,19 +1,19 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{rungs} =} mechanism_rungs (@var{scene}, @var{levels})
+## @deftypefn {} {@var{rungs} =} mechanism_rungs (@var{scene}, @var{levels}, @var{longitudinal})
 ## The rungs of a checked scene's bodies (a cell each): the modes that a body states, or, where they are "auto", those of its
-## @var{levels}: 0 is rigid, k has k bending modes and one longitudinal one for every two beyond the first.
+## @var{levels}: 0 is rigid, k has k bending modes; and so many @var{longitudinal} ones (see @code{longitudinal_modes}).
 ##
 ## Only "auto" takes corrections of the sines (see @code{base_functions}), at ends where a joint may bear a moment.
 ## @end deftypefn
 
-function rungs = mechanism_rungs (scene, levels)
+function rungs = mechanism_rungs (scene, levels, longitudinal = longitudinal_modes (levels))
   rungs = {};
   for k = 1:numel (scene.bodies)
     choice = scene.bodies(k).model;
     if (ischar (choice.modes))
       level = levels(k);
       default_stiffening = {"foreshortening", "none"}{1 + ! isempty(scene.bodies(k).rod.curvature)};
-      rung = struct ("sines", [max(0, floor ((level - 1)/2))*! strcmp(choice.axial, "none"), level], ...
+      rung = struct ("sines", [longitudinal(k)*! strcmp(choice.axial, "none"), level], ...
                      "stiffening", strrep (choice.stiffening, "auto", default_stiffening));
       rung.corrections = clamped_ends (scene, k)(1:end*(level > 0));
     else

@@ -1,14 +1,14 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{trial} =} mechanism_trial (@var{scene}, @var{rungs})
 ## Run a checked scene's mechanism with its bodies on the @var{rungs} (see @code{build_mechanism}): a struct of mechanism, history, x, y (11
-## stations of each body by frames, m), count and seconds.
+## stations of each body by frames, m), count, warnings and seconds.
 ## @end deftypefn
 
 function trial = mechanism_trial (scene, rungs)
   start = tic ();
   mechanism = build_mechanism (scene, rungs);
-  [history, count] = run_mechanism (scene, mechanism);
-  trial = struct ("mechanism", mechanism, "history", history, "x", [], "y", [], "count", count);
+  [history, count, warnings] = run_mechanism (scene, mechanism);
+  trial = struct ("mechanism", mechanism, "history", history, "x", [], "y", [], "count", count, "warnings", {warnings});
   for k = 1:numel (history.bodies)
     model = mechanism.models{k};
     [x, y] = body_centreline (model, linspace (0, model.length, 11), history.bodies(k), 1);

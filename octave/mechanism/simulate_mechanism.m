@@ -12,7 +12,7 @@ function result = simulate_mechanism (scene, name, folder, command = "")
   try
     [mechanism, choice] = choose_mechanism (scene);
     announce_levels (choice);
-    [history, count, warnings] = run_mechanism (scene, mechanism);
+    [history, count, warnings] = balanced_run (scene, mechanism, choice.trial);
   catch err
     if (strcmp (err.identifier, "toolchain:integration") && ! isempty (folder))
       record_failure (folder, name, scene, err.message);

@@ -29,7 +29,6 @@ function scene = four_bar ()
   scene.breaks = 0.5;
   scene.duration = 1.4;
   scene.zoom = 100;
-  scene.solver.tolerance = 1e-5;
 endfunction
 
 %!test # it can be assembled
