@@ -3,7 +3,7 @@
 ## The generalized-alpha method on the index-3 equations M q'' + Phi_q' lambda = f, Phi = 0 (Arnold and Bruels, Multibody
 ## Syst. Dyn. 18, 2007) in steps of @var{h} (s), for @code{integrate_fixed}: Newton's unknowns are the step's change of q and
 ## h^2 lambda, so that its matrix does not grow worse as h goes to 0 (Bottasso, Bauchau and Cardona, SIAM J. Sci. Comput.
-## 29, 2007).  Velocities meet their constraints only up to the error.
+## 29, 2007).  Springs' tensions are unknowns, too, as in @code{radau_step}.  Velocities meet their constraints only up to the error.
 ## @end deftypefn
 
 function stepper = index3_alpha (ode, h, solver)
@@ -27,7 +27,7 @@ function [z, converged] = step (t, z, c, h, system)
   before = system.at (t, q, v);
   power = @(at, lambda) [at.power + lambda.'*at.constraints.rate; at.dissipated];
   start = power (before, lambda);
-  next = v_dot;
+  [next, sigma] = deal (v_dot, before.springs.tension);
   [last, factor] = deal (Inf, h^2*c.beta*c.part);
   for sweep = 1:30
     new_a = ((1 - c.f)*next + c.f*v_dot - c.m*a)/(1 - c.m);
@@ -35,13 +35,17 @@ function [z, converged] = step (t, z, c, h, system)
     new_v = v + h*((1 - c.gamma)*a + c.gamma*new_a);
     at = system.at (t + h, new_q, new_v);
     if (sweep == 1)
-      [mass, jacobian] = system.matrices (at);
+      [mass, jacobian, spring_jacobian] = system.matrices (at);
       tangent = mass + factor*system.stiffness + h*c.gamma*c.part*system.damping_matrix;
+      stiffness = max (at.springs.stiffness + c.gamma/(c.beta*h)*at.springs.damping, eps);
     endif
-    residual = factor*(system.inertia (at, next) - at.force + system.reaction (at, lambda));
-    [dq, dlambda] = saddle_solve (system, t, tangent, jacobian, -residual, -at.constraints.residual);
+    excess = sigma - at.springs.tension;
+    residual = factor*(system.inertia (at, next) - at.force + system.reaction (at, lambda) + system.spring_reaction (at, excess));
+    [dq, pull] = saddle_solve (system, t, tangent, [jacobian; spring_jacobian], -residual, ...
+                               [-at.constraints.residual; excess./stiffness], [0*lambda; 1./(factor*stiffness)]);
     next += dq/factor;
-    lambda += dlambda/factor;
+    lambda += pull(1:numel (lambda))/factor;
+    sigma += pull(numel (lambda)+1:end)/factor;
     change = max (abs (dq)./system.q_scale);
     converged = change < 1e-12 || (change < 1e-10 && change >= last);
     if (converged || (sweep > 3 && ! (change < 1)))

@@ -1,18 +1,21 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{next}, @var{error_ratio}, @var{stages}, @var{why}] =} radau_step (@var{system}, @var{rule}, @var{t}, @var{y}, @var{h}, @var{last}, @var{tolerance})
-## One step of @code{integrate_radau} from the state @var{y} (q, v, a, lambda, W, D) at @var{t} to t + @var{h} (s).  The @var{stages} of the
-## @var{last} step give the first guess.  @var{error_ratio} > 1: refused, and @var{why}.
+## One step of @code{integrate_radau} from the state @var{y} (q, v, a, lambda, sigma, W, D) at @var{t} to t + @var{h} (s).  The
+## @var{stages} of the @var{last} step give the first guess.  @var{error_ratio} > 1: refused, and @var{why}.
+##
+## The springs' tensions sigma are unknowns of Newton's iteration, as multipliers are: it converges then for stiff springs as
+## it does for the joints that they tend to, where k would multiply what their directions change within the step.
 ## @end deftypefn
 
 function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, last, tolerance)
   [n, c] = deal (system.n, system.constraint_count);
   scale = tolerance*system.q_scale;
-  [q, v, lambda] = first_guess (rule, y, h, last);
+  [q, v, lambda, sigma] = first_guess (rule, y, h, last);
   s = numel (rule.c);
   mu = zeros (c, s);
   middle = system.at (t + h*rule.c((s+1)/2), q(:,(s+1)/2), v(:,(s+1)/2));
-  [mass, jacobian] = system.matrices (middle);
-  factors = factorise (system, rule, mass, jacobian, h);
+  [mass, jacobian, spring_jacobian] = system.matrices (middle);
+  factors = factorise (system, rule, mass, jacobian, spring_jacobian, middle.springs, h);
   inverse = inv (rule.A).'/h;
   [next, stages, error_ratio, change] = deal (y, [], 10, Inf);
   why = "its Newton iteration did not converge";
@@ -21,9 +24,10 @@ function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, l
     u = (q - y.q)*inverse;
     a = (v - y.v)*inverse;
     residual = [system.inertia(at, u - v) + system.reaction(at, mu)
-                system.inertia(at, a) - at.force + system.reaction(at, lambda)
+                system.inertia(at, a) - at.force + system.reaction(at, lambda) + system.spring_reaction(at, sigma - at.springs.tension)
                 at.constraints.residual*factors.unit/h
-                at.constraints.velocity*factors.unit];
+                at.constraints.velocity*factors.unit
+                factors.compliance.*(sigma - at.springs.tension)];
     if (! all (isfinite (residual(:))))
       why = "its loads or states are no numbers";
       return;
@@ -32,7 +36,8 @@ function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, l
     q += step(1:n,:);
     v += step(n+1:2*n,:);
     lambda += step(2*n+1:2*n+c,:)*factors.unit;
-    mu += step(2*n+c+1:end,:)*factors.unit;
+    mu += step(2*n+c+1:2*n+2*c,:)*factors.unit;
+    sigma += step(2*n+2*c+1:end,:)*factors.unit;
     [before, change] = deal (change, max (max (abs ([step(1:n,:); h*step(n+1:2*n,:)])./[scale; scale])));
     if (! (change < 1e8) || (iteration > 3 && change > 0.9*before && change > 1e-6))
       return;
@@ -46,20 +51,21 @@ function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, l
     return;
   endif
   a = (v - y.v)*inverse;
-  stages = struct ("q", q, "v", v, "lambda", lambda, "h", h, "q_start", y.q, "v_start", y.v);
+  stages = struct ("q", q, "v", v, "lambda", lambda, "sigma", sigma, "h", h, "q_start", y.q, "v_start", y.v);
   error_ratio = embedded_error (rule, factors, mass, y, q - y.q, v - y.v, h, scale);
   weights = rule.A(s,:).';
   power = at.power + sum (lambda.*at.constraints.rate, 1);
-  next = struct ("q", q(:,s), "v", v(:,s), "a", a(:,s), "lambda", lambda(:,s), "W", y.W + h*power*weights, ...
+  next = struct ("q", q(:,s), "v", v(:,s), "a", a(:,s), "lambda", lambda(:,s), "sigma", sigma(:,s), "W", y.W + h*power*weights, ...
                  "D", y.D + h*at.dissipated*weights);
 endfunction
 
 ## the last step's polynomials, or Taylor's
-function [q, v, lambda] = first_guess (rule, y, h, last)
+function [q, v, lambda, sigma] = first_guess (rule, y, h, last)
   if (isempty (last))
     q = y.q + y.v*(h*rule.c) + y.a*((h*rule.c).^2/2);
     v = y.v + y.a*(h*rule.c);
     lambda = repmat (y.lambda, 1, numel (rule.c));
+    sigma = repmat (y.sigma, 1, numel (rule.c));
     return;
   endif
   at = 1 + h/last.h*rule.c.';
@@ -68,20 +74,33 @@ function [q, v, lambda] = first_guess (rule, y, h, last)
   basis = (at.^(0:s))/(nodes.^(0:s));
   q = [last.q_start, last.q]*basis.';
   v = [last.v_start, last.v]*basis.';
-  lambda = last.lambda*((at.^(0:s-1))/(rule.c.'.^(0:s-1))).';
+  of_stages = ((at.^(0:s-1))/(rule.c.'.^(0:s-1))).';
+  lambda = last.lambda*of_stages;
+  sigma = last.sigma*of_stages;
 endfunction
 
 ## for the real eigenvalue and one of each pair; multipliers in units of the mass, so that rows and columns are of like size
-function factors = factorise (system, rule, mass, jacobian, h)
+function factors = factorise (system, rule, mass, jacobian, spring_jacobian, springs, h)
   [n, c] = deal (system.n, system.constraint_count);
-  factors.unit = mean (abs (diag (mass)));
+  factors.unit = full (mean (abs (diag (mass))));
   J = factors.unit*jacobian;
   none = sparse (c, c);
   wide = sparse (c, n);
+  e = system.spring_count;
+  factors.compliance = factors.unit./max (h*springs.stiffness + springs.damping, realmin);  # of an elongation over the step
+  S = factors.unit*spring_jacobian;
+  [no_spring, no_tie] = deal (sparse (e, n), sparse (c, e));
+  by_place = -diag (sparse (factors.compliance.*springs.stiffness))*spring_jacobian;
+  by_rate = -diag (sparse (factors.compliance.*springs.damping))*spring_jacobian;
+  by_tension = diag (sparse (factors.compliance*factors.unit));
   factors.h = h;
   for i = 1:(numel (rule.c) + 1)/2
     g = rule.eigenvalues(2*i - 2 + (i == 1))/h;
-    matrix = [g*mass, -mass, wide.', J.'; system.stiffness, g*mass + system.damping_matrix, J.', wide.'; J/h, wide, none, none; wide, J, none, none];
+    matrix = [g*mass, -mass, wide.', J.', no_spring.'
+              system.stiffness, g*mass + system.damping_matrix, J.', wide.', S.'
+              J/h, wide, none, none, no_tie
+              wide, J, none, none, no_tie
+              by_place, by_rate, no_tie.', no_tie.', by_tension];
     [factors.L{i}, factors.U{i}, factors.P{i}, factors.Q{i}] = lu (matrix);
   endfor
 endfunction

@@ -2,7 +2,8 @@
 ## @deftypefn {} {@var{stepper} =} variational (@var{ode}, @var{h}, @var{solver})
 ## The variational integrator of the midpoint rule with constraints (Marsden and West, Acta Numerica 10, 2001; as RATTLE does,
 ## positions and momenta meet their constraints after every step) in steps of @var{h} (s), for @code{integrate_fixed}.
-## It is symplectic: energy has no trend.  Damping and loads act as forces at the midpoint.
+## It is symplectic: energy has no trend.  Damping and loads act as forces at the midpoint; springs' tensions there are
+## unknowns, as in @code{radau_step}.
 ## @end deftypefn
 
 function stepper = variational (ode, h, solver)
@@ -24,20 +25,25 @@ function [z, converged] = step (t, z, h, system)
   endif
   [next, lambda, last] = deal (q + h*v, zeros (system.constraint_count, 1), Inf);
   pushed = @(lambda) system.reaction (at, lambda);
+  sigma = at.springs.tension;
   tangent = mass + h^2/4*system.stiffness + h/2*system.damping_matrix;
   for sweep = 1:30
     u = (next - q)/h;
     middle = system.at (t + h/2, (q + next)/2, u);
     there = system.at (t + h, next, u);
     momentum = system.inertia (middle, u);
-    half_force = h/2*(middle.force + system.convection (middle, u));
+    excess = sigma - middle.springs.tension;
+    half_force = h/2*(middle.force + system.convection (middle, u) - system.spring_reaction (middle, excess));
     residual = momentum - half_force - p + pushed (lambda);
     if (sweep == 1)
-      [~, jacobian] = system.matrices (middle);
+      [~, jacobian, spring_jacobian] = system.matrices (middle);
+      stiffness = max (middle.springs.stiffness/2 + middle.springs.damping/h, eps);
     endif
-    [dq, dlambda] = saddle_solve (system, t, tangent, jacobian, -h*residual, -there.constraints.residual);
+    [dq, pull] = saddle_solve (system, t, tangent, [jacobian; spring_jacobian], -h*residual, ...
+                               [-there.constraints.residual; excess./stiffness], [0*lambda; 2/h^2./stiffness]);
     next += dq;
-    lambda += dlambda/h;
+    lambda += pull(1:numel (lambda))/h;
+    sigma += pull(numel (lambda)+1:end)*2/h^2;
     change = max (abs (dq)./system.q_scale);
     converged = change < 1e-13 || (change < 1e-10 && change >= last);
     if (converged || (sweep > 3 && ! (change < 1)))

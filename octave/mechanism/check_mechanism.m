@@ -67,6 +67,9 @@ function joint = check_joint (joint, what, scene)
   if (numel (joint.point) != 2)
     scene_error ("%s.point has %d numbers: it takes [x y] in m", what, numel (joint.point));
   endif
+  if (strcmp (joint.kind, "bushing") && joint.rest != 0)
+    scene_error ("%s.rest is %g: a bushing holds its points together, its rest is 0", what, joint.rest);
+  endif
   joint.constant = isnumeric (joint.value);
   joint.value = value_function (joint, what, scene);
 endfunction
@@ -133,6 +136,8 @@ endfunction
 %! scene = two (); scene.joints{2}.bodies = [1 3]; check_mechanism (scene);
 %!error <joints\(2\).stations\(1\) is 1.5: body 1 has places from 0 to 1 m>
 %! scene = two (); scene.joints{2}.stations = [1.5 0]; check_mechanism (scene);
+%!error <joints\(2\).rest is 1: a bushing holds its points together, its rest is 0>
+%! scene = two (); [scene.joints{2}.kind, scene.joints{2}.rest] = deal ("bushing", 1); check_mechanism (scene);
 %!error <bodies\(1\).rod.length is -1: it takes positive number in m>
 %! scene = two (); scene.bodies{1}.rod.length = -1; check_mechanism (scene);
 %!error <bodies\(2\).rod.width and>

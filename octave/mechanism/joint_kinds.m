@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{kinds} =} joint_kinds ()
 ## The kinds of joints: a struct array of name, constraints (functions of generated/, one a scalar constraint), springs
-## (likewise, for what has an energy and no constraint), loads (which of F_x, F_y, M are its value), values (how many
+## (likewise, of the elongations of what has an energy and no constraint), loads (which of F_x, F_y, M are its value), values (how many
 ## numbers its value has).  A joint acts between its first body and its second, or the ground.
 ##
 ## @table @code
@@ -17,6 +17,8 @@
 ## The point of the first is off that of the second by the value: [x y], or [x y; x_dot y_dot; x_ddot y_ddot] of t.
 ## @item spring, torsion_spring
 ## A spring and damper between both points, or both tangents: stiffness, damping, rest.
+## @item bushing
+## A spring and damper, of the same stiffness and damping in all directions, holds both points together.
 ## @item moment, force
 ## The value, M or [F_x F_y], a number or a function of t, acts on the first and against the second.
 ## @end table
@@ -30,8 +32,9 @@ function kinds = joint_kinds ()
     "slider",         {@constraint_line}, {},              [], 0
     "angle",          {a},                {},              [], 1
     "position",       {x, y},             {},              [], 2
-    "spring",         {},                 {@spring_line},  [], 0
-    "torsion_spring", {},                 {@spring_angle}, [], 0
+    "spring",         {},                 {@constraint_distance}, [], 0
+    "torsion_spring", {},                 {a},             [], 0
+    "bushing",        {},                 {x, y},          [], 0
     "moment",         {},                 {},              3,  1
     "force",          {},                 {},              [1 2], 2
   };

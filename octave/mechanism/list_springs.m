@@ -1,31 +1,37 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{springs}, @var{loads}] =} list_springs (@var{mechanism}, @var{joints})
-## The springs of the @var{joints} (those of one function at once: form, first, second (markers), stiffness, damping,
-## rest), and the loads (a struct array of value (function of t), parts (1, 2, 3: F_x, F_y, M), first, second).
+## The springs of the @var{joints}, a struct as of @code{list_constraints} (of their elongations) with stiffness and damping (a row an
+## elongation), and the loads (a struct array of value (function of t), parts (1, 2, 3: F_x, F_y, M), first, second (markers)).
 ## @end deftypefn
 
 function [springs, loads] = list_springs (mechanism, joints)
-  [springs, loads] = deal (struct ([]));
-  if (isempty (joints))
-    return;
-  endif
   kinds = joint_kinds ();
-  kind_of = arrayfun (@(joint) find (strcmp ({kinds.name}, joint.kind)), joints);
-  for k = unique (kind_of(:)).'
-    j = find (kind_of == k);
-    markers = num2cell (mechanism.marker_of(j,:), 1);
-    if (! isempty (kinds(k).springs))
-      springs = [springs, struct("form", kinds(k).springs{1}, "first", markers{1}, "second", markers{2}, ...
-                                 "stiffness", vertcat (joints(j).stiffness), "damping", vertcat (joints(j).damping), ...
-                                 "rest", vertcat (joints(j).rest))];
+  for j = 1:numel (joints)
+    if (! isempty (kinds(strcmp ({kinds.name}, joints(j).kind)).springs))
+      joints(j).value = @(t) joints(j).rest*[1 1];
+      joints(j).constant = true;
     endif
-    for i = reshape (j(1:end*! isempty (kinds(k).loads)), 1, [])
-      loads = [loads, struct("value", joints(i).value, "parts", kinds(k).loads, ...
-                             "first", mechanism.marker_of(i,1), "second", mechanism.marker_of(i,2))];
-    endfor
+  endfor
+  springs = list_constraints (mechanism, joints, "springs");
+  [springs.stiffness, springs.damping] = deal (zeros (0, 1));
+  loads = struct ([]);
+  if (springs.count > 0)
+    springs.stiffness = vertcat (joints(springs.joint).stiffness);
+    springs.damping = vertcat (joints(springs.joint).damping);
+  endif
+  for j = 1:numel (joints)
+    kind = kinds(strcmp ({kinds.name}, joints(j).kind));
+    if (! isempty (kind.loads))
+      loads = [loads, struct("value", joints(j).value, "parts", kind.loads, ...
+                             "first", mechanism.marker_of(j,1), "second", mechanism.marker_of(j,2))];
+    endif
   endfor
 endfunction
 
 %!test
 %! mechanism = sample_mechanism ([0 1]).mechanism;
-%! assert (numel (mechanism.springs), 2); assert (mechanism.loads.parts, [1 2]);
+%! assert (mechanism.springs.stiffness, [2; 5]); assert (mechanism.loads.parts, [1 2]);
+%!test # a bushing has two elongations
+%! [~, ~, scene] = sample_mechanism ([0 1]);
+%! joint = setfield (setfield (scene.joints(4), "kind", "bushing"), "rest", 0);
+%! assert (list_springs (struct ("marker_of", [1 2], "marker_count", 2), joint).count, 2);

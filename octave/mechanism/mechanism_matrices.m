@@ -1,13 +1,18 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{mass}, @var{jacobian}] =} mechanism_matrices (@var{mechanism}, @var{d}, @var{at}, @var{c})
-## The mass matrix (n-by-n) and Phi_q (constraints-by-n), sparse, in the one state that @var{d}, @var{at} and @var{c} came
-## from (see @code{rod_dynamics}, @code{marker_motion}, @code{joint_constraints}).
+## @deftypefn {} {[@var{mass}, @var{jacobian}, @var{spring_jacobian}] =} mechanism_matrices (@var{mechanism}, @var{d}, @var{at}, @var{c}, @var{springs})
+## The mass matrix (n-by-n), Phi_q (constraints-by-n) and the derivatives of the springs' elongations (springs-by-n), sparse,
+## in the one state that @var{d}, @var{at}, @var{c} and @var{springs} came from (see @code{rod_dynamics},
+## @code{marker_motion}, @code{joint_constraints}).
 ## @end deftypefn
 
-function [mass, jacobian] = mechanism_matrices (mechanism, d, at, c)
+function [mass, jacobian, spring_jacobian] = mechanism_matrices (mechanism, d, at, c, springs)
   mass = mass_matrix (mechanism, d);
   if (nargout > 1)
-    jacobian = by_markers (mechanism, c)*markers_by_coordinates (mechanism, at);
+    markers = markers_by_coordinates (mechanism, at);
+    jacobian = by_markers (mechanism.marker_count, mechanism.constraints, c)*markers;
+  endif
+  if (nargout > 2)
+    spring_jacobian = by_markers (mechanism.marker_count, mechanism.springs, springs)*markers;
   endif
 endfunction
 
@@ -36,11 +41,10 @@ function mass = mass_matrix (mechanism, d)
 endfunction
 
 ## constraints-by-(3 markers)
-function by = by_markers (mechanism, c)
-  count = mechanism.marker_count;
-  by = sparse (mechanism.constraints.count, 3*count);
+function by = by_markers (count, constraints, c)
+  by = sparse (constraints.count, 3*count);
   for i = 1:numel (c.gradients)
-    kind = mechanism.constraints.kinds(i);
+    kind = constraints.kinds(i);
     g = c.gradients{i};
     for slot = 1:3
       by += sparse (kind.rows, kind.first + (slot - 1)*count, g{slot}, rows (by), columns (by));

@@ -2,19 +2,19 @@
 ## @deftypefn {} {@var{system} =} mechanism_system (@var{scene}, @var{mechanism})
 ## A mechanism as its integrators see it: M (q) q'' + Phi_q' lambda = f (t, q, q'), Phi (t, q) = 0, from L - lambda Phi.
 ##
-## Fields: n, constraint_count, stiffness, damping_matrix (n-by-n, constant), mass (n-by-n, of the bodies as they are made), duration, breaks, q_scale (m: what each coordinate may be off by where
+## Fields: n, constraint_count, spring_count, stiffness, damping_matrix (n-by-n, constant), mass (n-by-n, of the bodies as they are made), duration, breaks, q_scale (m: what each coordinate may be off by where
 ## a point is off by 1 m), and, for times t (1-by-k) and states q, v (n-by-k),
 ##
 ## @table @code
 ## @item at (t, q, v)
-## a struct with all below in it: force (f), power, dissipated (W), spring_energy (J), constraints (see
-## @code{joint_constraints})
-## @item inertia (at, a), reaction (at, lambda)
-## M a and Phi_q' lambda
+## a struct with all below in it: force (f), power, dissipated (W), constraints (see @code{joint_constraints}) and springs
+## (see @code{spring_forces})
+## @item inertia (at, a), reaction (at, lambda), spring_reaction (at, tension)
+## M a, Phi_q' lambda and the same of the springs, whose part of f is minus that of their tension
 ## @item convection (at, v)
 ## (dM/dt) v: with f it is dL/dq of one state
 ## @item matrices (at)
-## sparse M and Phi_q of one state
+## sparse M, Phi_q and the derivatives of the springs' elongations of one state
 ## @item energies (q, v, at)
 ## [T; U; Z]
 ## @end table
@@ -24,6 +24,7 @@ function system = mechanism_system (scene, mechanism)
   system.mechanism = mechanism;
   system.n = mechanism.n;
   system.constraint_count = mechanism.constraints.count;
+  system.spring_count = mechanism.springs.count;
   system.duration = scene.duration;
   system.breaks = scene.breaks;
   system.stiffness = system.damping_matrix = sparse (system.n, system.n);
@@ -40,20 +41,28 @@ function system = mechanism_system (scene, mechanism)
   system.mass = mechanism_matrices (mechanism, rod_dynamics (mechanism, q, v));
   system.at = @(t, q, v) everything (mechanism, t, q, v);
   system.inertia = @(at, a) inertia_times (mechanism, at.rods, a);
-  system.reaction = @(at, lambda) forces_of_markers (mechanism, at.markers, reactions (mechanism, at.constraints, lambda));
+  system.reaction = @(at, lambda) forces_of_markers (mechanism, at.markers, ...
+                                                   reactions (mechanism, mechanism.constraints, at.constraints, lambda));
+  system.spring_reaction = @(at, tension) forces_of_markers (mechanism, at.markers, ...
+                                                             reactions (mechanism, mechanism.springs, at.springs, tension));
   system.convection = @(at, v) rod_convection (mechanism, at.q, v);
-  system.matrices = @(at) mechanism_matrices (mechanism, at.rods, at.markers, at.constraints);
-  system.energies = @(q, v, at) mechanism_energies (mechanism, q, v) + [0; 1; 0]*at.spring_energy;
+  system.matrices = @(at) mechanism_matrices (mechanism, at.rods, at.markers, at.constraints, at.springs);
+  system.energies = @(q, v, at) mechanism_energies (mechanism, q, v) + [0; 1; 0]*at.springs.energy;
 endfunction
 
 function at = everything (mechanism, t, q, v)
   at.q = q;
   at.rods = rod_dynamics (mechanism, q, v);
   at.markers = marker_motion (mechanism, q, v);
-  at.constraints = joint_constraints (mechanism, t, at.markers);
-  [F, at.spring_energy, at.power, dissipated] = applied_forces (mechanism, t, at.markers);
+  at.constraints = joint_constraints (mechanism.constraints, t, at.markers);
+  at.springs = spring_forces (mechanism, at.markers);
+  [F, at.power] = applied_forces (mechanism, t, at.markers);
+  pull = reactions (mechanism, mechanism.springs, at.springs, at.springs.tension);
+  for part = {"x", "y", "angle"}
+    F.(part{1}) -= pull.(part{1});
+  endfor
   at.force = at.rods.force + forces_of_markers (mechanism, at.markers, F);
-  at.dissipated = at.rods.dissipated + dissipated;
+  at.dissipated = at.rods.dissipated + at.springs.dissipated;
 endfunction
 
 %!function [system, q, v, h] = any_state ()

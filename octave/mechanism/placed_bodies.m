@@ -27,7 +27,7 @@ function [q, v] = placed_bodies (scene, mechanism)
 endfunction
 
 function [place, velocity] = place_by_joints (scene, mechanism, place, velocity)
-  kinds = {"revolute", "weld", "position"};
+  kinds = {"revolute", "weld", "position", "bushing"};
   at = @(body, station) point_of (scene.bodies(body).initial, mechanism.models{body}.base, station);
   do
     placed = sum (! isnan (place(:,1)));

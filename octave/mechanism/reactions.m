@@ -1,14 +1,14 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{F} =} reactions (@var{mechanism}, @var{c}, @var{lambda})
-## What the multipliers @var{lambda} (constraints-by-k) do to the markers, Phi_q' lambda: a struct of x, y, angle
-## (markers-by-k; see @code{forces_of_markers}).  The joints' forces on the bodies are minus that.
+## @deftypefn {} {@var{F} =} reactions (@var{mechanism}, @var{constraints}, @var{c}, @var{lambda})
+## What the multipliers @var{lambda} (constraints-by-k) of the @var{constraints} (see @code{list_constraints}) do to the
+## markers, Phi_q' lambda: a struct of x, y, angle (markers-by-k; see @code{forces_of_markers}).  @var{c} comes from @code{joint_constraints}.  The joints' forces on the bodies are minus that.
 ## @end deftypefn
 
-function F = reactions (mechanism, c, lambda)
+function F = reactions (mechanism, constraints, c, lambda)
   blank = zeros (mechanism.marker_count, columns (lambda));
   F.x = F.y = F.angle = blank;
   for i = 1:numel (c.gradients)
-    kind = mechanism.constraints.kinds(i);
+    kind = constraints.kinds(i);
     g = c.gradients{i};
     own = lambda(kind.rows,:);
     F.x += kind.to_first*(g{1}.*own) + kind.to_second*(g{4}.*own);
