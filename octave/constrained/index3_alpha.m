@@ -36,7 +36,7 @@ function [z, converged] = step (t, z, c, h, system)
     at = system.at (t + h, new_q, new_v);
     if (sweep == 1)
       [mass, jacobian, spring_jacobian] = system.matrices (at);
-      tangent = mass + factor*system.stiffness + h*c.gamma*c.part*system.damping_matrix;
+      tangent = mass + factor*system.tangent (at, lambda, sigma) + h*c.gamma*c.part*system.damping_matrix;
       stiffness = max (at.springs.stiffness + c.gamma/(c.beta*h)*at.springs.damping, eps);
     endif
     excess = sigma - at.springs.tension;

@@ -1,10 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{next}, @var{error_ratio}, @var{stages}, @var{why}] =} radau_step (@var{system}, @var{rule}, @var{t}, @var{y}, @var{h}, @var{last}, @var{tolerance})
-## One step of @code{integrate_radau} from the state @var{y} (q, v, a, lambda, sigma, W, D) at @var{t} to t + @var{h} (s).  The
-## @var{stages} of the @var{last} step give the first guess.  @var{error_ratio} > 1: refused, and @var{why}.
+## One step of @code{integrate_radau} from the state @var{y} (q, v, a, lambda, sigma, W, D) at @var{t} to t + @var{h}
+## (s).  The @var{stages} of the @var{last} step give the first guess.  @var{error_ratio} > 1: refused, and @var{why}.
 ##
-## The springs' tensions sigma are unknowns of Newton's iteration, as multipliers are: it converges then for stiff springs as
-## it does for the joints that they tend to, where k would multiply what their directions change within the step.
+## The springs' tensions sigma are unknowns of Newton's iteration, as multipliers are: for stiff springs it converges then
+## as for the joints that they tend to; otherwise k would multiply what their directions turn within the step.
 ## @end deftypefn
 
 function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, last, tolerance)
@@ -15,7 +15,8 @@ function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, l
   mu = zeros (c, s);
   middle = system.at (t + h*rule.c((s+1)/2), q(:,(s+1)/2), v(:,(s+1)/2));
   [mass, jacobian, spring_jacobian] = system.matrices (middle);
-  factors = factorise (system, rule, mass, jacobian, spring_jacobian, middle.springs, h);
+  tangent = system.tangent (middle, lambda(:,(s+1)/2), sigma(:,(s+1)/2));
+  factors = radau_factors (rule, h, mass, tangent, system.damping_matrix, jacobian, spring_jacobian, middle.springs);
   inverse = inv (rule.A).'/h;
   [next, stages, error_ratio, change] = deal (y, [], 10, Inf);
   why = "its Newton iteration did not converge";
@@ -23,11 +24,12 @@ function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, l
     at = system.at (t + h*rule.c, q, v);
     u = (q - y.q)*inverse;
     a = (v - y.v)*inverse;
+    excess = sigma - at.springs.tension;
     residual = [system.inertia(at, u - v) + system.reaction(at, mu)
-                system.inertia(at, a) - at.force + system.reaction(at, lambda) + system.spring_reaction(at, sigma - at.springs.tension)
+                system.inertia(at, a) - at.force + system.reaction(at, lambda) + system.spring_reaction(at, excess)
                 at.constraints.residual*factors.unit/h
                 at.constraints.velocity*factors.unit
-                factors.compliance.*(sigma - at.springs.tension)];
+                factors.compliance.*excess];
     if (! all (isfinite (residual(:))))
       why = "its loads or states are no numbers";
       return;
@@ -77,32 +79,6 @@ function [q, v, lambda, sigma] = first_guess (rule, y, h, last)
   of_stages = ((at.^(0:s-1))/(rule.c.'.^(0:s-1))).';
   lambda = last.lambda*of_stages;
   sigma = last.sigma*of_stages;
-endfunction
-
-## for the real eigenvalue and one of each pair; multipliers in units of the mass, so that rows and columns are of like size
-function factors = factorise (system, rule, mass, jacobian, spring_jacobian, springs, h)
-  [n, c] = deal (system.n, system.constraint_count);
-  factors.unit = full (mean (abs (diag (mass))));
-  J = factors.unit*jacobian;
-  none = sparse (c, c);
-  wide = sparse (c, n);
-  e = system.spring_count;
-  factors.compliance = factors.unit./max (h*springs.stiffness + springs.damping, realmin);  # of an elongation over the step
-  S = factors.unit*spring_jacobian;
-  [no_spring, no_tie] = deal (sparse (e, n), sparse (c, e));
-  by_place = -diag (sparse (factors.compliance.*springs.stiffness))*spring_jacobian;
-  by_rate = -diag (sparse (factors.compliance.*springs.damping))*spring_jacobian;
-  by_tension = diag (sparse (factors.compliance*factors.unit));
-  factors.h = h;
-  for i = 1:(numel (rule.c) + 1)/2
-    g = rule.eigenvalues(2*i - 2 + (i == 1))/h;
-    matrix = [g*mass, -mass, wide.', J.', no_spring.'
-              system.stiffness, g*mass + system.damping_matrix, J.', wide.', S.'
-              J/h, wide, none, none, no_tie
-              wide, J, none, none, no_tie
-              by_place, by_rate, no_tie.', no_tie.', by_tension];
-    [factors.L{i}, factors.U{i}, factors.P{i}, factors.Q{i}] = lu (matrix);
-  endfor
 endfunction
 
 function step = solve_stages (rule, factors, right)

@@ -26,7 +26,6 @@ function [z, converged] = step (t, z, h, system)
   [next, lambda, last] = deal (q + h*v, zeros (system.constraint_count, 1), Inf);
   pushed = @(lambda) system.reaction (at, lambda);
   sigma = at.springs.tension;
-  tangent = mass + h^2/4*system.stiffness + h/2*system.damping_matrix;
   for sweep = 1:30
     u = (next - q)/h;
     middle = system.at (t + h/2, (q + next)/2, u);
@@ -37,6 +36,7 @@ function [z, converged] = step (t, z, h, system)
     residual = momentum - half_force - p + pushed (lambda);
     if (sweep == 1)
       [~, jacobian, spring_jacobian] = system.matrices (middle);
+      tangent = mass + h^2/4*system.tangent (middle, lambda, sigma) + h/2*system.damping_matrix;
       stiffness = max (middle.springs.stiffness/2 + middle.springs.damping/h, eps);
     endif
     [dq, pull] = saddle_solve (system, t, tangent, [jacobian; spring_jacobian], -h*residual, ...

@@ -11,6 +11,9 @@
 ## (see @code{spring_forces})
 ## @item inertia (at, a), reaction (at, lambda), spring_reaction (at, tension)
 ## M a, Phi_q' lambda and the same of the springs, whose part of f is minus that of their tension
+## @item tangent (at, lambda, tension)
+## minus the derivative of f - Phi_q' lambda by q in one state, less what inertia forces have in it and less that of the
+## tensions themselves (n-by-n)
 ## @item convection (at, v)
 ## (dM/dt) v: with f it is dL/dq of one state
 ## @item matrices (at)
@@ -45,6 +48,11 @@ function system = mechanism_system (scene, mechanism)
                                                    reactions (mechanism, mechanism.constraints, at.constraints, lambda));
   system.spring_reaction = @(at, tension) forces_of_markers (mechanism, at.markers, ...
                                                              reactions (mechanism, mechanism.springs, at.springs, tension));
+  system.tangent = @(at, lambda, tension) system.stiffness;
+  if (! isempty (mechanism.loads) || mechanism.springs.count > 0)  # weight and joints alone need no more
+    system.tangent = @(at, lambda, tension) system.stiffness + geometric_stiffness (
+      mechanism, at.q, forces_on_markers (mechanism, at, lambda, tension));
+  endif
   system.convection = @(at, v) rod_convection (mechanism, at.q, v);
   system.matrices = @(at) mechanism_matrices (mechanism, at.rods, at.markers, at.constraints, at.springs);
   system.energies = @(q, v, at) mechanism_energies (mechanism, q, v) + [0; 1; 0]*at.springs.energy;
@@ -56,13 +64,18 @@ function at = everything (mechanism, t, q, v)
   at.markers = marker_motion (mechanism, q, v);
   at.constraints = joint_constraints (mechanism.constraints, t, at.markers);
   at.springs = spring_forces (mechanism, at.markers);
-  [F, at.power] = applied_forces (mechanism, t, at.markers);
-  pull = reactions (mechanism, mechanism.springs, at.springs, at.springs.tension);
-  for part = {"x", "y", "angle"}
-    F.(part{1}) -= pull.(part{1});
-  endfor
+  [at.loads, at.power] = applied_forces (mechanism, t, at.markers);
+  F = forces_on_markers (mechanism, at, 0*at.constraints.residual, at.springs.tension);
   at.force = at.rods.force + forces_of_markers (mechanism, at.markers, F);
   at.dissipated = at.rods.dissipated + at.springs.dissipated;
+endfunction
+
+function F = forces_on_markers (mechanism, at, lambda, tension)
+  tie = reactions (mechanism, mechanism.constraints, at.constraints, lambda);
+  pull = reactions (mechanism, mechanism.springs, at.springs, tension);
+  for part = {"x", "y", "angle"}
+    F.(part{1}) = at.loads.(part{1}) - tie.(part{1}) - pull.(part{1});
+  endfor
 endfunction
 
 %!function [system, q, v, h] = any_state ()
