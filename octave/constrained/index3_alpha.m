@@ -1,9 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{stepper} =} index3_alpha (@var{ode}, @var{h}, @var{solver})
-## The generalized-alpha method on the index-3 equations M q'' + Phi_q' lambda = f, Phi = 0 (Arnold and Bruels, Multibody
-## Syst. Dyn. 18, 2007) in steps of @var{h} (s), for @code{integrate_fixed}: Newton's unknowns are the step's change of q and
-## h^2 lambda, so that its matrix does not grow worse as h goes to 0 (Bottasso, Bauchau and Cardona, SIAM J. Sci. Comput.
-## 29, 2007).  Springs' tensions are unknowns, too, as in @code{radau_step}.  Velocities meet their constraints only up to the error.
+## The generalized-alpha method on the index-3 equations M q'' + Phi_q' lambda = f, Phi = 0 (Arnold and Bruels,
+## Multibody Syst. Dyn. 18, 2007) in steps of @var{h} (s), for @code{integrate_fixed}: Newton's unknowns are the step's
+## change of q and h^2 lambda, so that its matrix does not grow worse as h goes to 0 (Bottasso, Bauchau and Cardona,
+## SIAM J. Sci. Comput. 29, 2007).  Springs' tensions are unknowns, too, as in @code{radau_step}.  Velocities meet
+## their constraints only up to the error.
 ## @end deftypefn
 
 function stepper = index3_alpha (ode, h, solver)
@@ -40,7 +41,8 @@ function [z, converged] = step (t, z, c, h, system)
       stiffness = max (at.springs.stiffness + c.gamma/(c.beta*h)*at.springs.damping, eps);
     endif
     excess = sigma - at.springs.tension;
-    residual = factor*(system.inertia (at, next) - at.force + system.reaction (at, lambda) + system.spring_reaction (at, excess));
+    force = at.force - system.reaction (at, lambda) - system.spring_reaction (at, excess);
+    residual = factor*(system.inertia (at, next) - force);
     [dq, pull] = saddle_solve (system, t, tangent, [jacobian; spring_jacobian], -residual, ...
                                [-at.constraints.residual; excess./stiffness], [0*lambda; 1./(factor*stiffness)]);
     next += dq/factor;

@@ -1,11 +1,13 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{factors} =} radau_factors (@var{rule}, @var{h}, @var{M}, @var{K}, @var{D}, @var{J}, @var{S}, @var{springs})
-## The factorised matrices of Newton's iteration in a step of @var{h} (s) of @code{radau_step}, one for the real eigenvalue
-## of the @var{rule} and one for each pair: a struct of L, U, P, Q (cells), h, unit (kg), compliance (springs-by-1).
+## The factorised matrices of Newton's iteration in a step of @var{h} (s) of @code{radau_step}, one for the real
+## eigenvalue of the @var{rule} and one for each pair: a struct of L, U, P, Q (cells), h, unit (kg), compliance
+## (springs-by-1).
 ##
-## Unknowns are q, v, lambda, mu and the tensions, these three in units of the mass, so that rows and columns are of like
-## size.  Mass @var{M}, tangents @var{K} and @var{D} (n-by-n), @var{J} = Phi_q, and @var{S}, the derivatives of the
-## elongations of the @var{springs} (see @code{spring_forces}); a spring's row is that of its elongation over the step.
+## Unknowns are q, v, lambda, mu and the tensions, these three in units of the mass, so that rows and columns are of
+## like size.  Mass @var{M}, tangents @var{K} and @var{D} (n-by-n), @var{J} = Phi_q, and @var{S}, the derivatives of
+## the elongations of the @var{springs} (see @code{spring_forces}); a spring's row is that of its elongation over the
+## step.
 ## @end deftypefn
 
 function factors = radau_factors (rule, h, M, K, D, J, S, springs)

@@ -3,8 +3,8 @@
 ## One step of @code{integrate_radau} from the state @var{y} (q, v, a, lambda, sigma, W, D) at @var{t} to t + @var{h}
 ## (s).  The @var{stages} of the @var{last} step give the first guess.  @var{error_ratio} > 1: refused, and @var{why}.
 ##
-## The springs' tensions sigma are unknowns of Newton's iteration, as multipliers are: for stiff springs it converges then
-## as for the joints that they tend to; otherwise k would multiply what their directions turn within the step.
+## The springs' tensions sigma are unknowns of Newton's iteration, as multipliers are: for stiff springs it converges
+## then as for the joints that they tend to; otherwise k would multiply what their directions turn within the step.
 ## @end deftypefn
 
 function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, last, tolerance)
@@ -57,8 +57,8 @@ function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, l
   error_ratio = embedded_error (rule, factors, mass, y, q - y.q, v - y.v, h, scale);
   weights = rule.A(s,:).';
   power = at.power + sum (lambda.*at.constraints.rate, 1);
-  next = struct ("q", q(:,s), "v", v(:,s), "a", a(:,s), "lambda", lambda(:,s), "sigma", sigma(:,s), "W", y.W + h*power*weights, ...
-                 "D", y.D + h*at.dissipated*weights);
+  next = struct ("q", q(:,s), "v", v(:,s), "a", a(:,s), "lambda", lambda(:,s), "sigma", sigma(:,s), ...
+                 "W", y.W + h*power*weights, "D", y.D + h*at.dissipated*weights);
 endfunction
 
 ## the last step's polynomials, or Taylor's

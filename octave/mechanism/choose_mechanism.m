@@ -33,7 +33,8 @@ function [mechanism, choice] = choose_mechanism (scene)
       best = choice.trial;
       if (best.levels(k) > 0)
         less = best.levels - ((1:numel (open)) == k);
-        choice = lower (choice, trial_of (scene, less, min (best.longitudinal, longitudinal_modes (less))), reference, limit);
+        along = min (best.longitudinal, longitudinal_modes (less));
+        choice = lower (choice, trial_of (scene, less, along), reference, limit);
       endif
     until (isequal (choice.levels, best.levels))
     if (choice.longitudinal(k) > 0)

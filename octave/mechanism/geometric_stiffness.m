@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{K} =} geometric_stiffness (@var{mechanism}, @var{q}, @var{F})
-## Minus the derivative by q of the generalized forces that constant forces and moments on the markers have, @var{F} = struct
-## of x, y (N), angle (N m; markers-by-1), in the one state @var{q} (n-by-1): sparse n-by-n.
+## Minus the derivative by q of the generalized forces that constant forces and moments on the markers have, @var{F} =
+## struct of x, y (N), angle (N m; markers-by-1), in the one state @var{q} (n-by-1): sparse n-by-n.
 ## @end deftypefn
 
 function K = geometric_stiffness (mechanism, q, F)

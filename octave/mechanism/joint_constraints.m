@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{c} =} joint_constraints (@var{constraints}, @var{t}, @var{at})
-## All @var{constraints} (see @code{list_constraints}) at the times @var{t} (1-by-k) and the markers' motion @var{at}: a struct of residual (Phi), rate (Phi_t),
-## velocity (Phi_q q' + Phi_t), convection (what Phi'' is without accelerations; constraints-by-k) and gradients (a cell a
-## kind of 6 matrices, by the markers' coordinates).
+## All @var{constraints} (see @code{list_constraints}) at the times @var{t} (1-by-k) and the markers' motion @var{at}:
+## a struct of residual (Phi), rate (Phi_t), velocity (Phi_q q' + Phi_t), convection (what Phi'' is without
+## accelerations; constraints-by-k) and gradients (a cell a kind of 6 matrices, by the markers' coordinates).
 ## @end deftypefn
 
 function c = joint_constraints (constraints, t, at)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{kinds} =} joint_kinds ()
 ## The kinds of joints: a struct array of name, constraints (functions of generated/, one a scalar constraint), springs
-## (likewise, of the elongations of what has an energy and no constraint), loads (which of F_x, F_y, M are its value), values (how many
-## numbers its value has).  A joint acts between its first body and its second, or the ground.
+## (likewise, of the elongations of what has an energy and no constraint), loads (which of F_x, F_y, M are its value),
+## values (how many numbers its value has).  A joint acts between its first body and its second, or the ground.
 ##
 ## @table @code
 ## @item revolute

@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{constraints} =} list_constraints (@var{mechanism}, @var{joints}, @var{part})
-## The scalar constraints of all @var{joints}, or, where @var{part} is "springs", the elongations of their springs: a struct of kinds (those of one function at once: form, rows, first, second
-## (markers), offset, joints, component (of the joint's value), constant (values), moving (rows whose value is a function of time)), values (the joints' functions of t), names (a constraint
-## each) and count.
+## The scalar constraints of all @var{joints}, or, where @var{part} is "springs", the elongations of their springs: a
+## struct of kinds (those of one function at once: form, rows, first, second (markers), offset, joints, component (of
+## the joint's value), constant (values), moving (rows whose value is a function of time)), values (the joints'
+## functions of t), names (a constraint each) and count.
 ## @end deftypefn
 
 function constraints = list_constraints (mechanism, joints, part = "constraints")

@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{springs}, @var{loads}] =} list_springs (@var{mechanism}, @var{joints})
-## The springs of the @var{joints}, a struct as of @code{list_constraints} (of their elongations) with stiffness and damping (a row an
-## elongation), and the loads (a struct array of value (function of t), parts (1, 2, 3: F_x, F_y, M), first, second (markers)).
+## The springs of the @var{joints}, a struct as of @code{list_constraints} (of their elongations) with stiffness and
+## damping (a row an elongation), and the loads (a struct array of value (function of t), parts (1, 2, 3: F_x, F_y, M),
+## first, second (markers)).
 ## @end deftypefn
 
 function [springs, loads] = list_springs (mechanism, joints)

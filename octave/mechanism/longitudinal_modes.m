@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{count} =} longitudinal_modes (@var{levels})
-## How many longitudinal modes the rods of a mechanism have beside bending modes of these @var{levels} (1-by-bodies): one for
-## every two beyond the first.
+## How many longitudinal modes the rods of a mechanism have beside bending modes of these @var{levels} (1-by-bodies):
+## one for every two beyond the first.
 ## @end deftypefn
 
 function count = longitudinal_modes (levels)

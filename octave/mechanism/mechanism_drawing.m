@@ -25,7 +25,7 @@ endfunction
 
 ## where joints with a point are
 function hinges = pins (scene, mechanism, history)
-  pinned = find (arrayfun (@(joint) any (strcmp (joint.kind, {"revolute", "weld", "position", "slider"})), scene.joints(:).'));
+  pinned = find (arrayfun (@(joint) any (strcmp (joint.kind, {"revolute", "weld", "bushing", "position", "slider"})), scene.joints(:).'));
   markers = mechanism.marker_of(pinned,1);
   hinges = struct ("x", history.markers.x(markers,:), "y", history.markers.y(markers,:));
   hinges.ground = arrayfun (@(joint) joint.bodies(2) == 0 && ! strcmp (joint.kind, "slider"), scene.joints(pinned)(:));

@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{rungs} =} mechanism_rungs (@var{scene}, @var{levels}, @var{longitudinal})
-## The rungs of a checked scene's bodies (a cell each): the modes that a body states, or, where they are "auto", those of its
-## @var{levels}: 0 is rigid, k has k bending modes; and so many @var{longitudinal} ones (see @code{longitudinal_modes}).
+## The rungs of a checked scene's bodies (a cell each): the modes that a body states, or, where they are "auto", those
+## of its @var{levels}: 0 is rigid, k has k bending modes; and so many @var{longitudinal} ones (see
+## @code{longitudinal_modes}).
 ##
 ## Only "auto" takes corrections of the sines (see @code{base_functions}), at ends where a joint may bear a moment.
 ## @end deftypefn

@@ -2,18 +2,19 @@
 ## @deftypefn {} {@var{system} =} mechanism_system (@var{scene}, @var{mechanism})
 ## A mechanism as its integrators see it: M (q) q'' + Phi_q' lambda = f (t, q, q'), Phi (t, q) = 0, from L - lambda Phi.
 ##
-## Fields: n, constraint_count, spring_count, stiffness, damping_matrix (n-by-n, constant), mass (n-by-n, of the bodies as they are made), duration, breaks, q_scale (m: what each coordinate may be off by where
-## a point is off by 1 m), and, for times t (1-by-k) and states q, v (n-by-k),
+## Fields: n, constraint_count, spring_count, stiffness, damping_matrix (n-by-n, constant), mass (n-by-n, of the bodies
+## as they are made), duration, breaks, q_scale (m: what each coordinate may be off by where a point is off by 1 m),
+## and, for times t (1-by-k) and states q, v (n-by-k),
 ##
 ## @table @code
 ## @item at (t, q, v)
-## a struct with all below in it: force (f), power, dissipated (W), constraints (see @code{joint_constraints}) and springs
-## (see @code{spring_forces})
+## a struct with all below in it: force (f), power, dissipated (W), constraints (see @code{joint_constraints}) and
+## springs (see @code{spring_forces})
 ## @item inertia (at, a), reaction (at, lambda), spring_reaction (at, tension)
 ## M a, Phi_q' lambda and the same of the springs, whose part of f is minus that of their tension
 ## @item tangent (at, lambda, tension)
-## minus the derivative of f - Phi_q' lambda by q in one state, less what inertia forces have in it and less that of the
-## tensions themselves (n-by-n)
+## minus the derivative of f - Phi_q' lambda by q in one state, less what inertia forces have in it and less that of
+## the tensions themselves (n-by-n)
 ## @item convection (at, v)
 ## (dM/dt) v: with f it is dL/dq of one state
 ## @item matrices (at)
@@ -44,10 +45,10 @@ function system = mechanism_system (scene, mechanism)
   system.mass = mechanism_matrices (mechanism, rod_dynamics (mechanism, q, v));
   system.at = @(t, q, v) everything (mechanism, t, q, v);
   system.inertia = @(at, a) inertia_times (mechanism, at.rods, a);
-  system.reaction = @(at, lambda) forces_of_markers (mechanism, at.markers, ...
-                                                   reactions (mechanism, mechanism.constraints, at.constraints, lambda));
-  system.spring_reaction = @(at, tension) forces_of_markers (mechanism, at.markers, ...
-                                                             reactions (mechanism, mechanism.springs, at.springs, tension));
+  system.reaction = @(at, lambda) forces_of_markers (
+    mechanism, at.markers, reactions (mechanism, mechanism.constraints, at.constraints, lambda));
+  system.spring_reaction = @(at, tension) forces_of_markers (
+    mechanism, at.markers, reactions (mechanism, mechanism.springs, at.springs, tension));
   system.tangent = @(at, lambda, tension) system.stiffness;
   if (! isempty (mechanism.loads) || mechanism.springs.count > 0)  # weight and joints alone need no more
     system.tangent = @(at, lambda, tension) system.stiffness + geometric_stiffness (

@@ -8,7 +8,8 @@ function trial = mechanism_trial (scene, rungs)
   start = tic ();
   mechanism = build_mechanism (scene, rungs);
   [history, count, warnings] = run_mechanism (scene, mechanism);
-  trial = struct ("mechanism", mechanism, "history", history, "x", [], "y", [], "count", count, "warnings", {warnings});
+  trial = struct ("mechanism", mechanism, "history", history, "x", [], "y", [], "count", count, ...
+                  "warnings", {warnings});
   for k = 1:numel (history.bodies)
     model = mechanism.models{k};
     [x, y] = body_centreline (model, linspace (0, model.length, 11), history.bodies(k), 1);

@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{F} =} reactions (@var{mechanism}, @var{constraints}, @var{c}, @var{lambda})
-## What the multipliers @var{lambda} (constraints-by-k) of the @var{constraints} (see @code{list_constraints}) do to the
-## markers, Phi_q' lambda: a struct of x, y, angle (markers-by-k; see @code{forces_of_markers}).  @var{c} comes from @code{joint_constraints}.  The joints' forces on the bodies are minus that.
+## What the multipliers @var{lambda} (constraints-by-k) of the @var{constraints} (see @code{list_constraints}) do to
+## the markers, Phi_q' lambda: a struct of x, y, angle (markers-by-k; see @code{forces_of_markers}).  @var{c} comes
+## from @code{joint_constraints}.  The joints' forces on the bodies are minus that.
 ## @end deftypefn
 
 function F = reactions (mechanism, constraints, c, lambda)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{springs} =} spring_forces (@var{mechanism}, @var{at})
-## The springs in the states that @var{at} came from (see @code{marker_motion}): what @code{joint_constraints} has of their
-## elongations, and tension (N or N m), its derivatives stiffness and damping (springs-by-k), energy (J) and dissipated (W;
-## 1-by-k).
+## The springs in the states that @var{at} came from (see @code{marker_motion}): what @code{joint_constraints} has of
+## their elongations, and tension (N or N m), its derivatives stiffness and damping (springs-by-k), energy (J) and
+## dissipated (W; 1-by-k).
 ## @end deftypefn
 
 function springs = spring_forces (mechanism, at)

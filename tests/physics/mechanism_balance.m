@@ -14,7 +14,8 @@ function [energy, place, speed] = mechanism_balance (scene, duration = [])
 endfunction
 
 %!test # short runs of all of them; without a duration they are the whole ones
-%! scenes = {"double_pendulum", 0.15; "chain(8)", 0.5; "chain(20)", 0.5; "slider_crank", 0.004; "four_bar", 0.12; "two_link_arm", 0.1};
+%! scenes = {"double_pendulum", 0.15; "chain(8)", 0.5; "chain(20)", 0.5
+%!           "slider_crank", 0.004; "four_bar", 0.12; "two_link_arm", 0.1};
 %! for scene = scenes.'
 %!   [energy, place, speed] = mechanism_balance (scene{:});
 %!   assert (energy <= 1e-7); assert (place <= 1e-10); assert (speed <= 1e-8);

@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{tip}, @var{steps}] =} stiff_springs (@var{kind}, @var{stiffness}, @var{solver})
-## Two rods of 1 m and 1 kg, let go from the horizontal, the second on the first by a joint of this @var{kind}, or with a
-## @var{stiffness} (N/m or N m/rad), by a spring and damper in its place: "weld" by a torsion spring, "revolute" by a
-## bushing.  Where its far end is after 0.5 s (2-by-1, m), and the steps of the @var{solver}.  The damper's time is 1 ms.
+## Two rods of 1 m and 1 kg, let go from the horizontal, the second on the first by a joint of this @var{kind}, or with
+## a @var{stiffness} (N/m or N m/rad), by a spring and damper in its place: "weld" by a torsion spring, "revolute" by a
+## bushing.  Where its far end is after 0.5 s (2-by-1, m), and the steps of the @var{solver}.  The damper's time is 1
+## ms.
 ## @end deftypefn
 
 function [tip, steps] = stiff_springs (kind, stiffness = Inf, solver = struct ("name", "radau", "tolerance", 1e-7))
