@@ -21,6 +21,8 @@ function drawing = mechanism_drawing (scene, mechanism, history)
   drawing.hinges = pins (scene, mechanism, history);
   drawing.strips = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions"});
   drawing.panels = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions", "energies"});
+  curved = arrayfun (@(body) ! isempty (body.rod.curvature), scene.bodies);
+  drawing.equations = [{"mechanism"}, {"straight", "curved"}([! all(curved), any(curved)])];
 endfunction
 
 ## where joints with a point are
@@ -36,3 +38,4 @@ endfunction
 %! history = measure_mechanism (system, 0, first_states (system, 0, start));
 %! drawing = mechanism_drawing (scene, system.mechanism, history);
 %! assert (numel (drawing.bodies), 3); assert (drawing.hinges.ground, [true; false; false]);
+%! assert (drawing.equations, {"mechanism", "straight"});

@@ -21,6 +21,8 @@
 ## up to four panels (see @code{new_panel}) beside each frame, whose curves a mark runs along;
 ## @item panels
 ## those of @file{history.svg}, from top to bottom;
+## @item equations
+## for the report: the names of the parts of its equations, @file{equations_NAME.tex} on the load path (cellstr);
 ## @item spectrum
 ## where there is one, for the foot of @file{history.svg}: a struct like that of @code{tip_spectrum};
 ## @item surface, backdrop

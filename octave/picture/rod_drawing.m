@@ -24,6 +24,7 @@ function drawing = rod_drawing (scene, model, history)
   drawing.hinges = struct ("x", zeros (size (history.t)), "y", zeros (size (history.t)));
   drawing.strips = rod_strips (history, drawing.moment, undeformed_tip (model));
   drawing.panels = rod_panels (history, undeformed_tip (model));
+  drawing.equations = {"hinged", {"straight", "curved"}{1 + ! isempty(scene.rod.curvature)}};
 endfunction
 
 %!test

@@ -35,6 +35,7 @@ function drawing = surface_drawing (system, scene, history)
   energies = energy_panels (history);
   drawing.strips = [tip, reaction, energies(1)];
   drawing.panels = [tip, reaction, energies, momentum];
+  drawing.equations = {"surface", ["surface_" scene.surface.name]};
 endfunction
 
 ## in the camera's plane, z upwards
