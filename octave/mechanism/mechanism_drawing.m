@@ -27,10 +27,12 @@ endfunction
 
 ## where joints with a point are
 function hinges = pins (scene, mechanism, history)
-  pinned = find (arrayfun (@(joint) any (strcmp (joint.kind, {"revolute", "weld", "position", "slider"})), scene.joints(:).'));
+  shapes = struct ("revolute", "pin", "position", "pin", "weld", "weld", "slider", "block");
+  pinned = find (arrayfun (@(joint) isfield (shapes, joint.kind), scene.joints(:).'));
   markers = mechanism.marker_of(pinned,1);
   hinges = struct ("x", history.markers.x(markers,:), "y", history.markers.y(markers,:));
   hinges.ground = arrayfun (@(joint) joint.bodies(2) == 0 && ! strcmp (joint.kind, "slider"), scene.joints(pinned)(:));
+  hinges.shape = arrayfun (@(joint) shapes.(joint.kind), scene.joints(pinned)(:), "uniformoutput", false);
 endfunction
 
 %!test

@@ -16,7 +16,8 @@
 ## one leaves a trail;
 ## @item hinges
 ## a struct of @code{x}, @code{y} (H-by-F, m, as drawn; H may be 0) and, where not all stand on the ground,
-## @code{ground} (H-by-1, logical): others are pins between bodies;
+## @code{ground} (H-by-1, logical): others are between bodies; where not all are pins, @code{shape} (H-by-1 cellstr):
+## "pin", "block" (which slides), "weld", "hub" (which turns the rod);
 ## @item strips
 ## up to four panels (see @code{new_panel}) beside each frame, whose curves a mark runs along;
 ## @item panels
