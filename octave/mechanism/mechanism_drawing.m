@@ -21,14 +21,18 @@ function drawing = mechanism_drawing (scene, mechanism, history)
   drawing.hinges = pins (scene, mechanism, history);
   drawing.strips = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions"});
   drawing.panels = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions", "energies"});
+  curved = arrayfun (@(body) ! isempty (body.rod.curvature), scene.bodies);
+  drawing.equations = [{"mechanism"}, {"straight", "curved"}([! all(curved), any(curved)])];
 endfunction
 
 ## where joints with a point are
 function hinges = pins (scene, mechanism, history)
-  pinned = find (arrayfun (@(joint) any (strcmp (joint.kind, {"revolute", "weld", "bushing", "position", "slider"})), scene.joints(:).'));
+  shapes = struct ("revolute", "pin", "position", "pin", "bushing", "pin", "weld", "weld", "slider", "block");
+  pinned = find (arrayfun (@(joint) isfield (shapes, joint.kind), scene.joints(:).'));
   markers = mechanism.marker_of(pinned,1);
   hinges = struct ("x", history.markers.x(markers,:), "y", history.markers.y(markers,:));
   hinges.ground = arrayfun (@(joint) joint.bodies(2) == 0 && ! strcmp (joint.kind, "slider"), scene.joints(pinned)(:));
+  hinges.shape = arrayfun (@(joint) shapes.(joint.kind), scene.joints(pinned)(:), "uniformoutput", false);
 endfunction
 
 %!test
@@ -36,3 +40,4 @@ endfunction
 %! history = measure_mechanism (system, 0, first_states (system, 0, start));
 %! drawing = mechanism_drawing (scene, system.mechanism, history);
 %! assert (numel (drawing.bodies), 3); assert (drawing.hinges.ground, [true; false; false]);
+%! assert (drawing.equations, {"mechanism", "straight"});

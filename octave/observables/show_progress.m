@@ -1,14 +1,17 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} show_progress (@var{text})
-## On a terminal, and only there, the line of progress, which the next one replaces; an empty @var{text} clears it.
+## On a terminal, and only there, the line of progress, which the next one replaces; an empty @var{text} clears it. What
+## has no room on the terminal's line is cut off, since no second line could be replaced.
 ## @end deftypefn
 
 function show_progress (text)
-  persistent shown = false;
-  if (on_terminal () && (shown || ! isempty (text)))
-    printf ("\r%-70s\r%s", "", text);
+  persistent shown = 0;
+  if (on_terminal () && (shown > 0 || ! isempty (text)))
+    room = [80, terminal_size()(2)](1 + (terminal_size ()(2) > 0)) - 1;
+    text = text(1:min (end, room));
+    printf ("\r%s\r%s", blanks (min (shown, room)), text);
     fflush (stdout);
-    shown = ! isempty (text);
+    shown = numel (text);
   endif
 endfunction
 

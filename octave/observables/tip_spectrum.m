@@ -36,10 +36,15 @@ function spectrum = tip_spectrum (scene, model)
   seen = predicted < highest;
   spectrum = struct ("label", "spectra of the tip from tangent", "unit", "m", "names", {{"along", "across"}}, ...
                      "frequency", frequency, "values", values, "predicted", predicted(seen));
-  spectrum.note = sprintf ("sampled at %.4g Hz", 2*highest);
+  spectrum.note = ["sampled at " in_hertz(2*highest)];
   if (! all (seen))
-    spectrum.note = sprintf ("%s; %d predicted ones lie beyond %.4g Hz", spectrum.note, sum (! seen), highest);
+    spectrum.note = sprintf ("%s; %d predicted ones lie beyond %s", spectrum.note, sum (! seen), in_hertz (highest));
   endif
+endfunction
+
+function text = in_hertz (frequency)
+  [scale, unit] = unit_prefix (frequency, "Hz");
+  text = sprintf ("%.4g %s", frequency/scale, unit);
 endfunction
 
 ## of the modes that are kept, by the projector on them

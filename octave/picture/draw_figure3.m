@@ -28,10 +28,9 @@ function job = draw_figure3 (drawing, scratch)
   endfor
   settings.outlines = numel (outlines);
   settings.times = sprintf ("%.9g ", times);
-  tip_path = [drawing.bodies(end).x(end,:); drawing.bodies(end).y(end,:)].';
   write_text (fullfile (scratch, "settings.gp"),
               [gnuplot_settings(settings), gnuplot_block("outlines", outlines), gnuplot_block("rests", rests), ...
-               gnuplot_block("tip_path", {tip_path}), gnuplot_block("ground", {ground}), ...
+               gnuplot_block("tip_path", {tip_path(drawing.bodies)}), gnuplot_block("ground", {ground}), ...
                gnuplot_block("pins", {pins})]);
   job = start_gnuplot (scratch, "figure3.gp");
 endfunction

@@ -16,14 +16,16 @@ function jobs = draw_frames (drawing, scratch)
   endif
   [settings.unit, settings.width, settings.height] = deal (scale, frame_size(1), frame_size(2));
   settings.stress = range;
-  settings.stress_label = ["largest bending stress, " unit];
+  settings.stress_unit = unit;
   coloured = ! cellfun (@isempty, stress);
   settings.coloured = sum (coloured);
   settings.thickness = sprintf ("%.2f ", 2 * max ([drawing.bodies(coloured).half_height] / camera.pixel, 1.5));
-  write_text (fullfile (scratch, "settings.gp"), [gnuplot_settings(settings), strip_data(drawing)]);
+  [path, pieces] = tip_path (drawing.bodies);
+  write_text (fullfile (scratch, "settings.gp"), ...
+              [gnuplot_settings(settings), strip_data(drawing), gnuplot_block("tip_path", {path})]);
 
   jobs = start_shares (scratch, "frames.gp", numel (drawing.time), ...
-                       @(frame) frame_data (drawing, stress, camera, frame));
+                       @(frame) frame_data (drawing, stress, camera, frame, pieces));
 endfunction
 
 %!function sizes_are_right (drawing, pixels)

@@ -13,6 +13,9 @@ function job = draw_history (drawing, scratch)
   inside = drawing.moment_breaks > drawing.time(1) & drawing.moment_breaks < drawing.time(end);
   settings.breaks = sprintf ("%.9g ", drawing.moment_breaks(inside));
   settings.spectrum = double (isfield (drawing, "spectrum") && ! isempty (drawing.spectrum));
+  names = [{""}, panels.names, repmat({"predicted, at rest"}, 1, settings.spectrum), ...
+           repmat({"break of loads"}, 1, any (inside))];
+  settings.longest_name = max (cellfun (@numel, names));
   write_text (fullfile (scratch, "settings.gp"), gnuplot_settings (settings));
   if (settings.spectrum)
     write_text (fullfile (scratch, "spectrum.gp"), spectrum_data (drawing.spectrum));
@@ -33,8 +36,16 @@ function text = spectrum_data (spectrum)
   high = 10^ceil (log10 (max ([values(:); realmin])));
   settings = struct ("spectrum_label", label, "note", spectrum.note, "spectrum_names", strjoin (spectrum.names), ...
                      "predicted", sprintf ("%.9g ", spectrum.predicted), "frequency", spectrum.frequency([1, end]), ...
-                     "amplitude", [1e-5*high, high]);
+                     "amplitude", [1e-5*high, high], "frequency_tics", decade_tics (spectrum.frequency([1, end])));
   text = [gnuplot_settings(settings), gnuplot_block("spectrum", {[spectrum.frequency; values].'})];
+endfunction
+
+## 1, 2, 5, 10, ..., or powers of ten alone where those are many
+function words = decade_tics (range)
+  decades = floor (log10 (range(1))):ceil (log10 (range(2)));
+  digits = [1, 2, 5](1:1 + 2*(diff (log10 (range)) < 2.5));
+  tics = (digits.'.*10.^decades)(:).';
+  words = sprintf ("%.9g ", tics(tics >= 0.999*range(1) & tics <= 1.001*range(2)));
 endfunction
 
 %!function text = history_of (drawing)
@@ -52,7 +63,7 @@ endfunction
 
 %!test
 %! text = history_of (sample_drawing (20));
-%! for shown = {"energies, J", "V2_1", "largest modes, µm", "break of M", "ψ"}
+%! for shown = {"energies, J", "V2_1", "largest modes, µm", "break of loads", "ψ"}
 %!   assert (! isempty (strfind (text, shown{1})), shown{1});
 %! endfor
 %!test # a spectrum
@@ -64,4 +75,4 @@ endfunction
 %!   assert (! isempty (strfind (text, shown{1})), shown{1});
 %! endfor
 %!test # a single frame, and a break that is not in the picture
-%! assert (isempty (strfind (history_of (sample_drawing (1)), "break of M")));
+%! assert (isempty (strfind (history_of (sample_drawing (1)), "break of loads")));

@@ -16,11 +16,14 @@
 ## one leaves a trail;
 ## @item hinges
 ## a struct of @code{x}, @code{y} (H-by-F, m, as drawn; H may be 0) and, where not all stand on the ground,
-## @code{ground} (H-by-1, logical): others are pins between bodies;
+## @code{ground} (H-by-1, logical): others are between bodies; where not all are pins, @code{shape} (H-by-1 cellstr):
+## "pin", "block" (which slides), "weld", "hub" (which turns the rod);
 ## @item strips
 ## up to four panels (see @code{new_panel}) beside each frame, whose curves a mark runs along;
 ## @item panels
 ## those of @file{history.svg}, from top to bottom;
+## @item equations
+## for the report: the names of the parts of its equations, @file{equations_NAME.tex} on the load path (cellstr);
 ## @item spectrum
 ## where there is one, for the foot of @file{history.svg}: a struct like that of @code{tip_spectrum};
 ## @item surface, backdrop

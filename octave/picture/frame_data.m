@@ -1,11 +1,12 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{text} =} frame_data (@var{drawing}, @var{stress}, @var{camera}, @var{frame})
-## What one @var{frame} shows, as variables and data blocks of gnuplot: the clock, the moment's arrow, the tip's path,
-## the hinges, and an index for each body in $rest and $outline. $pieces has an index for each body with a @var{stress}
-## (see @code{body_stress}): start, extent and stress of pieces of its centreline.
+## @deftypefn {} {@var{text} =} frame_data (@var{drawing}, @var{stress}, @var{camera}, @var{frame}, @var{path_pieces})
+## What one @var{frame} shows, as variables and data blocks of gnuplot: the clock, the moment's arrow, the number
+## of the last point of the tip's path (which has @var{path_pieces} a frame, see @code{tip_path}), the hinges, and an
+## index for each body in $rest and $outline. $pieces has an index for each body with a @var{stress} (see
+## @code{body_stress}): start, extent and stress of pieces of its centreline.
 ## @end deftypefn
 
-function text = frame_data (drawing, stress, camera, frame)
+function text = frame_data (drawing, stress, camera, frame, path_pieces = 1)
   bodies = drawing.bodies;
   pieces = {};
   for i = 1:numel (bodies)
@@ -18,7 +19,6 @@ function text = frame_data (drawing, stress, camera, frame)
       pieces{end+1} = [centre, reach, stress{i}(:,frame)](1:end-1,:);
     endif
   endfor
-  tip_path = [bodies(end).x(end,1:frame); bodies(end).y(end,1:frame)].';
   [ground, pins] = hinge_symbol (drawing.hinges, frame, camera.symbol);
 
   moment = drawing.moment(frame);
@@ -31,6 +31,7 @@ function text = frame_data (drawing, stress, camera, frame)
   away /= max (norm (away), realmin);
   [arrow, place] = moment_arrow (moment, hinge, atan2 (away(2), away(1)), 3*camera.symbol);
   settings.clock = clock_text (drawing, frame);
+  settings.tip = (frame - 1)*path_pieces;
   [scale, unit] = unit_prefix (moment, "N m");
   settings.moment_label = repmat (sprintf ("%.3g %s", moment/scale, unit), 1, moment != 0);
   label_size = [5.5*numel(settings.moment_label), 11] * camera.pixel;
@@ -38,8 +39,7 @@ function text = frame_data (drawing, stress, camera, frame)
 
   text = [gnuplot_settings(settings), ...
           gnuplot_block("rest", rest), gnuplot_block("outline", outline), gnuplot_block("pieces", pieces), ...
-          gnuplot_block("tip_path", {tip_path}), gnuplot_block("moment", {arrow}), ...
-          gnuplot_block("ground", {ground}), gnuplot_block("pins", {pins})];
+          gnuplot_block("moment", {arrow}), gnuplot_block("ground", {ground}), gnuplot_block("pins", {pins})];
 endfunction
 
 %!function text = data_of (drawing, frame)

@@ -2,8 +2,7 @@
 load here."units.gp"
 
 set cbrange [stress_low:stress_high]
-set cblabel stress_label textcolor rgb ink offset 0.3
-set colorbox user origin screen R(485),Y(65) size screen X(16),Y(units_high - 240)
+set colorbox user origin screen R(485),Y(65) size screen X(16),Y(units_high - 275)
 if (!coloured) { unset colorbox }
 
 do for [frame=first:last] {
@@ -21,13 +20,14 @@ do for [frame=first:last] {
   set label 1 title at screen X(95),T(32) noenhanced font sprintf("sans-serif,%g", 0.75*title_size)
   set label 2 clock at screen R(25),T(70) right font "sans-serif,20"
   set label 3 zoom at screen R(25),T(104) right
+  if (coloured) { set label 6 "largest\nbending\nstress, ".stress_unit at screen R(485),T(150) }
   set label 4 moment_label at moment_place_low,moment_place_high center front
   if (gravity) {
     set label 5 "{/:Italic g}" at screen R(468),T(98)
     set arrow 1 from screen R(480),T(70) to screen R(480),T(130) lw 2 lc rgb ink
   }
   plot $ground with lines lc rgb ink lw 1.5, \
-       $tip_path with lines lc rgb light lw 1.5, \
+       $tip_path every ::0::tip with lines lc rgb light lw 1.5, \
        for [i=1:bodies] $rest index i-1 with lines lc rgb light lw 1.5 dt 2, \
        for [i=1:bodies] $outline index i-1 with filledcurves closed fc rgb body, \
        for [i=1:coloured] $pieces index i-1 with vectors nohead lc palette lw word(thickness, i), \

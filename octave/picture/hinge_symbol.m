@@ -1,24 +1,34 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{ground}, @var{pins}] =} hinge_symbol (@var{hinges}, @var{frame}, @var{size})
-## Polylines (n-by-2, m, with rows of NaN between them) of the hinges in one @var{frame}: @var{pins} are the circles,
-## @var{ground} the hatched supports of those on the ground (see @code{draw_pictures}).
+## Polylines (n-by-2, m, with rows of NaN between them) of the hinges in one @var{frame}: @var{pins} are the outlines of
+## their @code{shape} (see @code{draw_pictures}), @var{ground} the hatched supports of those on the ground.
 ## @end deftypefn
 
 function [ground, pins] = hinge_symbol (hinges, frame, size)
-  on_ground = true (rows (hinges.x), 1);
+  count = rows (hinges.x);
+  on_ground = true (count, 1);
   if (isfield (hinges, "ground"))
     on_ground = hinges.ground;
   endif
-  angle = linspace (0, 2*pi, 25).';
-  circle = [cos(angle), sin(angle)] * 0.4;
+  shape = repmat ({"pin"}, count, 1);
+  if (isfield (hinges, "shape"))
+    shape = hinges.shape;
+  endif
   ground = pins = zeros (0, 2);
-  for i = 1:rows (hinges.x)
+  for i = 1:count
     place = [hinges.x(i,frame), hinges.y(i,frame)];
-    pins = [pins; place + size * circle; NaN(1, 2)];
+    pins = [pins; place + size*outline(shape{i}); NaN(1, 2)];
     if (on_ground(i))
       ground = [ground; place + size * support(); NaN(1, 2)];
     endif
   endfor
+endfunction
+
+function lines = outline (shape)
+  angle = linspace (0, 2*pi, 25).';
+  circle = [cos(angle), sin(angle)];
+  corners = [1 1; -1 1; -1 -1; 1 -1; 1 1];
+  lines = struct ("pin", 0.4*circle, "hub", 0.9*circle, "block", corners.*[0.9, 0.6], "weld", 0.3*corners).(shape);
 endfunction
 
 function lines = support ()
@@ -35,3 +45,6 @@ endfunction
 %! assert (max (pins(:,1)), 2.04, 1e-12);
 %!test # all are on the ground where nothing is said
 %! assert (max (hinge_symbol (struct ("x", [0; 1], "y", [0; 0]), 1, 0.1)(:,1)) > 1);
+%!test # a block that slides is wider than high
+%! [~, pins] = hinge_symbol (struct ("x", 1, "y", 0, "ground", false, "shape", {{"block"}}), 1, 0.1);
+%! assert (max (pins), [1.09, 0.06], 1e-12);

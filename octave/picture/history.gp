@@ -10,6 +10,8 @@ set multiplot
 set label 1 title at screen X(95),Y(height - 25) noenhanced font sprintf("sans-serif,%g", title_size)
 set xrange [t_low:t_high]
 set format x ""
+# as much room for the names as the longest takes
+right = 930 - 9*longest_name < 815 ? 930 - 9*longest_name : 815
 set key at graph 1.01,1 left top reverse Left samplen 2 noenhanced textcolor rgb ink
 do for [b in breaks] { set arrow from real(b), graph 0 to real(b), graph 1 nohead dt 2 lw 1 lc rgb ink }
 
@@ -17,26 +19,27 @@ do for [b in breaks] { set arrow from real(b), graph 0 to real(b), graph 1 nohea
 do for [p=1:panels] {
   load sprintf("panel_%d.gp", p)
   bottom = 75 + 190*(panels - p) + foot
-  set margins at screen X(95),at screen X(815),at screen Y(bottom),at screen Y(bottom + 150)
+  set margins at screen X(95),at screen X(right),at screen Y(bottom),at screen Y(bottom + 150)
   set yrange [range_low:range_high]
   set ytics step
   set label 2 label at graph 0,1.1 textcolor rgb ink
   if (p == panels) { set format x "%h"; set xlabel "{/:Italic t}, s" }
   marks = p == 1 && words(breaks) > 0
   plot for [k=1:words(names)] $curves using 1:k+1 with linespoints lt k lw 1 + 2.5/k pt 7 ps 0.2 title word(names, k), \
-       NaN with lines dt 2 lw 1 lc rgb ink title (marks ? "break of M" : "")
+       NaN with lines dt 2 lw 1 lc rgb ink title (marks ? "break of loads" : "")
   unset label 1
 }
 
 # The amplitudes of the oscillations, with the predicted frequencies.
 if (spectrum) {
   load "spectrum.gp"
-  set margins at screen X(95),at screen X(815),at screen Y(75),at screen Y(225)
+  set margins at screen X(95),at screen X(right),at screen Y(75),at screen Y(225)
   unset arrow
   set logscale xy
   set format x "%h"
   set format y "10^{%L}"
-  set xtics auto
+  set xtics ()
+  do for [f in frequency_tics] { set xtics add (f real(f)) }
   set ytics auto
   set xrange [frequency_low:frequency_high]
   set yrange [amplitude_low:amplitude_high]

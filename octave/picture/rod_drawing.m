@@ -21,9 +21,11 @@ function drawing = rod_drawing (scene, model, history)
   body.half_height = [scene.rod.half_height, scene.rod.length/100](1);
   body.stress = bending_stress (scene.rod, model, stations, history.V);
   drawing.bodies = body;
-  drawing.hinges = struct ("x", zeros (size (history.t)), "y", zeros (size (history.t)));
+  shape = {"pin", "hub"}(1 + ! isempty (scene.rotation));
+  drawing.hinges = struct ("x", zeros (size (history.t)), "y", zeros (size (history.t)), "shape", {shape});
   drawing.strips = rod_strips (history, drawing.moment, undeformed_tip (model));
   drawing.panels = rod_panels (history, undeformed_tip (model));
+  drawing.equations = {"hinged", {"straight", "curved"}{1 + ! isempty(scene.rod.curvature)}};
 endfunction
 
 %!test

@@ -10,7 +10,9 @@ function panels = rod_panels (history, length)
     [along, across] = tip_deflection (history, length);
     panels(end+1) = new_panel ("tip from tangent", "m", {"along", "across"}, [along; across]);
     [modes, names] = largest_modes (history.V, history.V_names, 4);
-    panels(end+1) = new_panel ("largest modes", "m", names, modes);
+    if (! isempty (names))
+      panels(end+1) = new_panel ("largest modes", "m", names, modes);
+    endif
   endif
   panels = [panels, energy_panels(history)];
 endfunction

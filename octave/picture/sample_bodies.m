@@ -15,6 +15,7 @@ function drawing = sample_bodies (frames)
   drawing.hinges = struct ("x", real ([0*t; pin]), "y", imag ([0*t; pin]), "ground", [true; false]);
   drawing.strips = new_panel ("pin", "m", {"x", "y"}, [real(pin); imag(pin)]);
   drawing.panels = drawing.strips;
+  drawing.equations = {"mechanism"};
 endfunction
 
 function body = body_of (z, rest, half_height)

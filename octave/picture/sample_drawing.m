@@ -15,6 +15,7 @@ function drawing = sample_drawing (frames)
   drawing.hinges = struct ("x", zeros (1, frames), "y", zeros (1, frames));
   drawing.strips = rod_strips (history, drawing.moment, 1);
   drawing.panels = rod_panels (history, 1);
+  drawing.equations = {"hinged", "straight"};
 endfunction
 
 function body = turned_rod (s, v, phi)

@@ -9,6 +9,7 @@ function drawing = sample_surface (frames)
   drawing.surface.patch = struct ("x", x, "y", y, "z", 0*x, "shade", 0.5 + 0*x);
   drawing.surface.rod = struct ("x", drawing.bodies.x, "y", drawing.bodies.y, "z", 0.02 + 0*drawing.bodies.x);
   drawing.surface.room = 0.1;
+  drawing.surface.held = [false false];
   drawing.surface.elevation = 40;
   drawing.surface.azimuth = 10*(1:frames);
   drawing.backdrop = {[x(:,1), y(:,1)], [x(:,9), y(:,9)]};

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{text} =} strip_data (@var{drawing})
 ## The strips beside the frames of @var{drawing} (see @code{draw_pictures}) for @file{strips.gp}: $history, the time and
-## all curves, the time's range and step, and what each strip has, as lists of words.
+## all curves, the time's range and step, and what each strip has, as lists of words (see @code{strip_names}).
 ## @end deftypefn
 
 function text = strip_data (drawing)
@@ -10,9 +10,10 @@ function text = strip_data (drawing)
   if (numel (sprintf ("%g", time.t_step)) > 4)
     time.t_step = tic_step (time.t, 4);
   endif
-  settings = struct ("strips", numel (drawing.strips), "labels", "", "names", "", "named", "", "curves", "", ...
-                     "low", "", "high", "", "step", "");
+  settings = struct ("strips", numel (drawing.strips), "labels", "", "names", "", "named", "", "places", "", ...
+                     "curves", "", "low", "", "high", "", "step", "");
   table = drawing.time;
+  known = {};
   for i = 1:settings.strips
     [label, values] = scaled_panel (drawing.strips(i));
     range = padded_range (values);
@@ -21,13 +22,24 @@ function text = strip_data (drawing)
     settings.low = [settings.low, sprintf("%.9g ", range(1))];
     settings.high = [settings.high, sprintf("%.9g ", range(2))];
     settings.step = [settings.step, sprintf("%.9g ", tic_step (range, 5))];
-    ## As many names as there is room for, beside the label, in 295 units.
-    columns_left = (285 - 8.5*numel (label))/(8.5*max (cellfun (@numel, drawing.strips(i).names)) + 46);
-    settings.named = [settings.named, sprintf("%d ", max (0, floor (columns_left)))];
-    settings.names = [settings.names, sprintf("\"%s\" ", drawing.strips(i).names{:})];
+    [names, places, known] = names_of (label, drawing.strips(i).names, known);
+    settings.named = [settings.named, sprintf("%d ", numel (names))];
+    settings.names = [settings.names, strcat("\"", names, {"\" "}){:}];
+    settings.places = [settings.places, num2str(places, "%.0f ") " "];
     table = [table; values];
   endfor
   text = [gnuplot_settings(time), gnuplot_settings(settings), gnuplot_block("history", {table.'})];
+endfunction
+
+## one curve is named by the label, and names that a strip above has need not be said again
+function [shown, places, known] = names_of (label, names, known)
+  [shown, places] = deal ({}, []);
+  if (numel (names) > 1 && ! any (cellfun (@(before) isequal (before, names), known)))
+    [shown, places] = strip_names (label, names);
+    if (numel (shown) == numel (names))
+      known{end+1} = names;
+    endif
+  endif
 endfunction
 
 %!test # fine steps are few
@@ -35,3 +47,9 @@ endfunction
 %! drawing.time = 1 + (0:4)*1e-3;
 %! step = regexp (strip_data (drawing), 't_step = (\S+)', "tokens"){1}{1};
 %! assert (str2double (step) >= 0.001);
+%!test # names are said once
+%! drawing = sample_bodies (3);
+%! drawing.strips(2) = setfield (drawing.strips, "label", "again");
+%! text = strip_data (drawing);
+%! assert (! isempty (strfind (text, "named = '2 0 '")));
+%! assert (! isempty (strfind (text, "names = '\"x\" \"y\" '")));

@@ -7,6 +7,7 @@ unset ylabel
 set xrange [t_low:t_high]
 set xtics t_step
 column = 1
+name = 1
 do for [i=1:strips] {
   set margins at screen R(320),at screen R(25),at screen Y(bottom(i)),at screen Y(bottom(i) + strip_height)
   set yrange [real(word(low, i)):real(word(high, i))]
@@ -15,13 +16,15 @@ do for [i=1:strips] {
   set format x (i == strips ? "%h" : "")
   set label 1 word(labels, i) at screen R(320),Y(bottom(i) + strip_height + 14) noenhanced
   n = int(word(curves, i))
-  named_here = n > 1 ? int(word(named, i)) : 0
-  set key at screen R(25),Y(bottom(i) + strip_height + 4) right bottom horizontal noenhanced samplen 1 textcolor rgb ink
+  do for [k=1:int(word(named, i))] {
+    set label 1+k word(names, name) at screen R(25 + real(word(places, name))),Y(bottom(i) + strip_height + 14) right noenhanced
+    if (word(names, name) ne "…") { set label 1+k textcolor linetype k }
+    name = name + 1
+  }
   plot for [k=1:n] $history using 1:column+k with lines lc rgb light notitle, \
-       for [k=1:n] $history using 1:column+k every ::0::frame-1 with lines lt k \
-                   title (k <= named_here ? word(names, column + k - 1) : ""), \
+       for [k=1:n] $history using 1:column+k every ::0::frame-1 with lines lt k notitle, \
        for [k=1:n] $history using 1:column+k every ::frame-1::frame-1 with points lt k pt 7 ps 1.2 notitle
   column = column + n
+  unset label
 }
 unset format
-unset key

@@ -20,7 +20,7 @@ do for [frame=first:last] {
     unset border
     unset tics
     unset xlabel
-    set margins at screen 0,at screen beside,at screen 0,at screen 0.95
+    set margins at screen 0,at screen beside,at screen 0,at screen 0.9
     set xrange [x_low:x_high]
     set yrange [y_low:y_high]
     set zrange [z_low:z_high]
@@ -32,10 +32,14 @@ do for [frame=first:last] {
     splot $surface using 1:2:3:4 with pm3d, \
           $surface using 1:2:3 with lines lc rgb "#9aa7b2" lw 0.4, \
           for [i=1:rods] $rod index i-1 using 1:2:3 with lines lc rgb ink_rod lw (i == rods ? 5 : 2), \
-          $tip using 1:2:3 with lines lc rgb "#0072b2" lw 1.2
+          $tip using 1:2:3 with lines lc rgb "#0072b2" lw 1.2, \
+          $held using 1:2:3 with points pt 7 ps 1.4 lc rgb ink, \
+          $held using 1:2:3 with points pt 7 ps 0.8 lc rgb "white"
     if (frame_with_strips) {
-      set border 3 lc rgb "#606060" lw 1
+      set border 31 lc rgb "#606060" lw 1
       set tics nomirror textcolor rgb ink
+      set xtics nomirror
+      set ytics nomirror
       load here."strips.gp"
     }
     unset multiplot

@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{text} =} surface_frame_data (@var{drawing}, @var{shown}, @var{name})
 ## What a picture with the @var{name} shows of a drawing with a @code{surface} (see @code{draw_surface_frames}), for
-## gnuplot: the rod at the frames @var{shown}, and the path of its end up to the last of them.
+## gnuplot: the rod at the frames @var{shown}, the path of its end up to the last of them,
+## and its ends that are held.
 ## @end deftypefn
 
 function text = surface_frame_data (drawing, shown, name)
@@ -11,9 +12,18 @@ function text = surface_frame_data (drawing, shown, name)
                      "elevation", 90 - drawing.surface.elevation, "azimuth", mod (90 + drawing.surface.azimuth(last), 360));
   rods = arrayfun (@(k) [rod.x(:,k), rod.y(:,k), rod.z(:,k)], shown, "uniformoutput", false);
   tip = [rod.x(end,1:last); rod.y(end,1:last); rod.z(end,1:last)].';
-  text = [gnuplot_settings(settings), gnuplot_block("rod", rods), gnuplot_block("tip", {tip([1:end, end],:)})];
+  ends = [1, rows(rod.x)](drawing.surface.held);
+  held = [rod.x(ends,last), rod.y(ends,last), rod.z(ends,last)];
+  text = [gnuplot_settings(settings), gnuplot_block("rod", rods), gnuplot_block("tip", {tip([1:end, end],:)}), ...
+          gnuplot_block("held", {[held; NaN(1, 3)]})];
 endfunction
 
 %!test
 %! text = surface_frame_data (sample_surface (3), [1 3], "../frames/frame_0001");
 %! assert (! isempty (strfind (text, "rods = 2")));
+%!test # an end that is held is marked, in its place
+%! drawing = sample_surface (2);
+%! drawing.surface.held = [true false];
+%! text = surface_frame_data (drawing, 1, "a");
+%! start = sscanf (regexp (text, '\$held << END\n([^\n]*)', "tokens"){1}{1}, "%f").';
+%! assert (start, [drawing.surface.rod.x(1,1), drawing.surface.rod.y(1,1), drawing.surface.rod.z(1,1)], 1e-6);

@@ -29,6 +29,7 @@ function [states, count] = integrate_gauss (system, times, solver)
       endif
       fine = march (system, method, interval, y, m);
       steps += 3*pieces;
+      watch_rate ("steps", 3*pieces);
       change = fine - coarse;
       [drift, largest] = energy_drift (system, y, fine, largest);
       error = max (system.size (change(1:n)), solver.tolerance*drift/3e-9);

@@ -14,7 +14,7 @@ function drawing = surface_drawing (system, scene, history)
   lift = scene.rod.half_height*(scene.surface.side + (scene.surface.side == 0));
   rod = struct ("x", history.x + lift*history.n_1, "y", history.y + lift*history.n_2, "z", history.z + lift*history.n_3);
   patch = surface_patch (system, scene, history);
-  drawing.surface = struct ("patch", patch, "rod", rod, "room", 3*scene.rod.half_height, ...
+  drawing.surface = struct ("held", ! strcmp (scene.ends, "free"), "patch", patch, "rod", rod, "room", 3*scene.rod.half_height, ...
                             "elevation", scene.view.elevation, ...
                             "azimuth", scene.view.azimuth + scene.view.turning*history.t);
 
@@ -25,16 +25,17 @@ function drawing = surface_drawing (system, scene, history)
   [x, y] = seen (patch, scene.view);
   drawing.backdrop = [lines_of(x, y), lines_of(x.', y.')];
 
-  tip = new_panel ("tip", "m", {"x", "y", "z"}, history.tip);
+  tip = without_zeros (new_panel ("tip", "m", {"x", "y", "z"}, history.tip));
   reaction = new_panel ("reaction", "N/m", {"smallest", "largest"}, ...
                         [min(history.reaction, [], 1); max(history.reaction, [], 1)]);
   if (max (abs (history.reaction(:))) < 1e-12*scene.rod.EA/scene.rod.length)
     reaction = [];  # rounding, as on an upright plane
   endif
-  momentum = new_panel ("angular momentum", "kg m²/s", {"x", "y", "z"}, history.angular_momentum);
+  momentum = without_zeros (new_panel ("angular momentum", "kg m²/s", {"x", "y", "z"}, history.angular_momentum));
   energies = energy_panels (history);
   drawing.strips = [tip, reaction, energies(1)];
   drawing.panels = [tip, reaction, energies, momentum];
+  drawing.equations = {"surface", ["surface_" scene.surface.name]};
 endfunction
 
 ## in the camera's plane, z upwards

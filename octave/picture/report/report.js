@@ -128,8 +128,7 @@
         c.stroke();
       }
       c.fillStyle = colour("--paper");
-      c.beginPath();
-      c.arc(p[0], p[1], 0.4 * size, 0, 2 * Math.PI);
+      outline(c, p, size, hinge.shape);
       c.fill();
       c.stroke();
     });
@@ -137,6 +136,13 @@
       drawMoment(c, at(data.hinges[0].body < 0 ? [0, 0] : lines[data.hinges[0].body][data.hinges[0].point]), 2.6 * size);
     }
     if (data.gravity) { drawGravity(c, width, Math.sign(data.gravity), ink); }
+  }
+
+  function outline(c, p, size, shape) {
+    const [w, h] = { pin: [0.4, 0.4], hub: [0.9, 0.9], block: [0.9, 0.6], weld: [0.3, 0.3] }[shape].map((v) => v * size);
+    c.beginPath();
+    if (shape === "pin" || shape === "hub") { c.arc(p[0], p[1], w, 0, 2 * Math.PI); }
+    else { c.rect(p[0] - w, p[1] - h, 2 * w, 2 * h); }
   }
 
   function drawMoment(c, p, radius) {

@@ -78,7 +78,11 @@ endfunction
 ## A hinge goes with the point of a body that it lies on in all frames, at any zoom; point counts from 0.
 function data = hinge_data (drawing, i, shown, unit)
   [x, y] = deal (drawing.hinges.x(i,:), drawing.hinges.y(i,:));
-  data = struct ("body", -1, "point", 0, "ground", ! isfield (drawing.hinges, "ground") || drawing.hinges.ground(i));
+  data = struct ("body", -1, "point", 0, "shape", "pin", ...
+                 "ground", ! isfield (drawing.hinges, "ground") || drawing.hinges.ground(i));
+  if (isfield (drawing.hinges, "shape"))
+    data.shape = drawing.hinges.shape{i};
+  endif
   data.x = num2cell (round (x(shown)/unit));
   data.y = num2cell (round (y(shown)/unit));
   for k = 1:numel (drawing.bodies)

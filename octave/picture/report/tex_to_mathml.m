@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{mathml} =} tex_to_mathml (@var{tex})
 ## A formula in the TeX that Maxima writes (groups, \over, ^, _, \left, \right, accents, functions, names of letters) as
-## MathML. A command that is not known is an error, which names it.
+## MathML, inline with fractions as large as in display. A command that is not known is an error, which names it.
 ## @end deftypefn
 
 function mathml = tex_to_mathml (tex)
@@ -10,7 +10,9 @@ function mathml = tex_to_mathml (tex)
   if (! isempty (rest))
     error ("tex_to_mathml: \"%s\" has no beginning", rest{1});
   endif
-  mathml = ["<math display=\"block\">" mathml "</math>"];
+  ## a sign that a broken formula goes on with
+  mathml = regexprep (mathml, '^<mrow><mo stretchy="false">([+=]|−)', '<mrow><mo stretchy="false" form="infix">$1');
+  mathml = ["<math displaystyle=\"true\">" mathml "</math>"];
 endfunction
 
 ## everything up to the end of a group or a pair of parentheses
@@ -20,15 +22,8 @@ function [mathml, rest] = row_of (rest)
   while (! isempty (rest) && ! any (strcmp (rest{1}, {"}", "\\right"})))
     if (strcmp (rest{1}, "\\over"))
       [over, parts, rest] = deal (row (parts), {}, rest(2:end));
-    elseif (any (strcmp (rest{1}, {"^", "_"})))
-      kind = {"msub", "msup"}{1 + strcmp(rest{1}, "^")};
-      [script, rest] = atom_of (rest(2:end));
-      if (isempty (parts))
-        parts = {"<mrow></mrow>"};
-      endif
-      parts{end} = ["<" kind ">" parts{end} script "</" kind ">"];
     else
-      [parts{end+1}, rest] = atom_of (rest);
+      [parts{end+1}, rest] = scripted (rest);
     endif
   endwhile
   mathml = row (parts);
@@ -37,25 +32,55 @@ function [mathml, rest] = row_of (rest)
   endif
 endfunction
 
+## an atom with what stands above and below it: a prime is above
+function [mathml, rest] = scripted (rest)
+  mathml = "<mrow></mrow>";
+  if (! any (strcmp (rest{1}, {"^", "_"})))
+    [mathml, rest] = atom_of (rest);
+  endif
+  scripts = {"", ""};
+  while (! isempty (rest) && any (strcmp (rest{1}, {"^", "_", "'"})))
+    above = 1 + ! strcmp (rest{1}, "_");
+    if (strcmp (rest{1}, "'"))
+      [script, rest] = deal ("<mo>′</mo>", rest(2:end));
+    else
+      [script, rest] = atom_of (rest(2:end));
+    endif
+    scripts{above} = [scripts{above}, script];
+  endwhile
+  filled = ! cellfun (@isempty, scripts);
+  if (any (filled))
+    kinds = {"msub", "msup", "msubsup"};
+    if (strcmp (mathml, "<mo>∑</mo>"))
+      kinds = {"munder", "mover", "munderover"};
+    endif
+    kind = kinds{filled*[1; 2]};
+    mathml = ["<" kind ">" mathml scripts{filled} "</" kind ">"];
+  endif
+endfunction
+
 function mathml = row (parts)
   mathml = ["<mrow>" parts{:} "</mrow>"];
 endfunction
 
 function [mathml, rest] = atom_of (rest)
-  persistent symbols = struct ("varphi", "φ", "lambda", "λ", "mu", "μ", "rho", "ρ", "tau", "τ", "xi", "ξ", "sigma", "σ", ...
-                               "pi", "π", "psi", "ψ", "theta", "θ", "alpha", "α", "beta", "β", "bullet", "•");
-  persistent accents = struct ("dot", "˙", "ddot", "¨");
-  persistent functions = {"sin", "cos", "tan", "arctan", "sqrt"};
+  persistent symbols = struct ("alpha", "α", "beta", "β", "gamma", "γ", "delta", "δ", "varepsilon", "ε", "theta", "θ", ...
+                               "kappa", "κ", "lambda", "λ", "mu", "μ", "xi", "ξ", "pi", "π", "rho", "ρ", "sigma", "σ", ...
+                               "tau", "τ", "varphi", "φ", "chi", "χ", "psi", "ψ", "Gamma", "Γ", "Phi", "Φ", ...
+                               "partial", "∂", "bullet", "•");
+  persistent operators = struct ("cdot", "·", "times", "×", "sum", "∑", "int", "∫");
+  persistent accents = struct ("dot", "˙", "ddot", "¨", "bar", "¯");
+  persistent functions = {"sin", "cos", "tan", "arctan"};
   token = rest{1};
   rest(1) = [];
   name = regexprep (token, '^\\', "");
   if (strcmp (token, "{"))
     [mathml, rest] = row_of (rest);
     rest(1) = [];
-  elseif (isfield (accents, name))
+  elseif (isfield (accents, name) && token(1) == "\\")
     [base, rest] = atom_of (rest);
     mathml = ["<mover accent=\"true\">" base "<mo>" accents.(name) "</mo></mover>"];
-  elseif (any (strcmp (name, {"mathbf", "mathrm"})))
+  elseif (any (strcmp (name, {"mathbf", "mathrm"})) && token(1) == "\\")
     [base, rest] = atom_of (rest);
     letters = regexprep (base, '<[^>]*>', "");
     if (strcmp (name, "mathbf") && numel (letters) == 1)
@@ -63,17 +88,20 @@ function [mathml, rest] = atom_of (rest)
       letters = char ([240, 157, 144, 128 + lower(letters) - "a" + 26*islower(letters)]);
     endif
     mathml = ["<mi mathvariant=\"normal\">" letters "</mi>"];
-  elseif (strcmp (name, "rm"))
-    letters = find (cellfun (@(t) isempty (regexp (t, '^[A-Za-z0-9]+$')), [rest, {"}"}]), 1) - 1;
-    mathml = ["<mi>" rest{1:letters} "</mi>"];
-    rest(1:letters) = [];
-  elseif (strcmp (name, "left"))
+  elseif (any (strcmp (name, {"rm", "it"})) && token(1) == "\\")
+    last = find (strcmp ([rest, {"}"}], "}"), 1) - 1;
+    mathml = ["<mi>" strrep([rest{1:last}], "\\_", "_") "</mi>"];
+    rest(1:last) = [];
+  elseif (strcmp (token, "\\sqrt"))
+    [inner, rest] = atom_of (rest);
+    mathml = ["<msqrt>" inner "</msqrt>"];
+  elseif (strcmp (token, "\\left"))
     first = rest{1};
     [inner, rest] = row_of (rest(2:end));
     mathml = ["<mrow><mo>" first "</mo>" inner "<mo>" rest{2} "</mo></mrow>"];
     rest(1:2) = [];
-  elseif (strcmp (token, "\\cdot"))
-    mathml = "<mo>·</mo>";
+  elseif (isfield (operators, name) && token(1) == "\\")
+    mathml = ["<mo>" operators.(name) "</mo>"];
   elseif (isfield (symbols, name) && token(1) == "\\")
     mathml = ["<mi>" symbols.(name) "</mi>"];
   elseif (any (strcmp (name, functions)) && token(1) == "\\")
@@ -84,14 +112,12 @@ function [mathml, rest] = atom_of (rest)
       [script, rest] = atom_of (rest(2:end));
       mathml = ["<msup><mi>" name "</mi>" script "</msup>" applied];
     endif
-  elseif (any (strcmp (token, {"\\,", "\\!"})))
-    mathml = "";
-  elseif (strcmp (token, "\\;"))
-    mathml = "<mspace width=\"0.3em\"/>";
+  elseif (any (strcmp (token, {"\\!", "\\,", "\\;"})))
+    mathml = {"", "<mspace width=\"0.17em\"/>", "<mspace width=\"0.3em\"/>"}{strfind("!,;", token(2))};
   elseif (! isempty (regexp (token, '^\d')))
     mathml = ["<mn>" token "</mn>"];
-  elseif (isletter (token(1)) || token(1) == "'")
-    mathml = ["<mi>" strrep(token, "'", "′") "</mi>"];
+  elseif (isletter (token(1)))
+    mathml = ["<mi>" token "</mi>"];
   elseif (token(1) != "\\")
     mathml = ["<mo stretchy=\"false\">" strrep(html_escape (token), "-", "−") "</mo>"];
   else
@@ -101,7 +127,7 @@ endfunction
 
 %!test
 %! text = tex_to_mathml ("{{\\mathbf{V}\\cdot a^2}\\over{2}}-\\dot{\\varphi}");
-%! expected = ["<math display=\"block\"><mrow><mfrac><mrow><mrow><mi mathvariant=\"normal\">𝐕</mi><mo>·</mo>" ...
+%! expected = ["<math displaystyle=\"true\"><mrow><mfrac><mrow><mrow><mi mathvariant=\"normal\">𝐕</mi><mo>·</mo>" ...
 %!             "<msup><mi>a</mi><mn>2</mn></msup></mrow></mrow><mrow><mrow><mn>2</mn></mrow></mrow></mfrac>" ...
 %!             "<mo stretchy=\"false\">−</mo><mover accent=\"true\"><mrow><mi>φ</mi></mrow><mo>˙</mo></mover></mrow></math>"];
 %! assert (text, expected);
@@ -110,4 +136,22 @@ endfunction
 %! assert (! isempty (strfind (tex_to_mathml ("{\\rm atan2}(x)"), "<mi>atan2</mi>")));
 %!test # parentheses are one thing
 %! assert (! isempty (strfind (tex_to_mathml ("\\left(a\\right)^2"), "<mo>)</mo></mrow><mn>2</mn></msup>")));
+%!test # scripts stand above each other, and a prime with them; limits of a sum below it
+%! assert (! isempty (strfind (tex_to_mathml ("M'_j"), "<msubsup><mi>M</mi><mi>j</mi><mo>′</mo></msubsup>")));
+%! assert (! isempty (strfind (tex_to_mathml ("\\sum_k"), "<munder><mo>∑</mo><mi>k</mi></munder>")));
+%!test # roots and names of several letters
+%! assert (! isempty (strfind (tex_to_mathml ("\\sqrt{a}"), "<msqrt><mrow><mi>a</mi></mrow></msqrt>")));
+%! assert (! isempty (strfind (tex_to_mathml ("{\\it half\\_angle}^2"), "<mi>half_angle</mi>")));
+%!test # nothing is lost of what is derived: its letters, numbers and signs are those of the MathML
+%! letters = @(text) sort (regexp (text, '[A-Za-z0-9+=(),-]', "match"));
+%! plain = @(tex) regexprep (tex, '\\(?!sin|cos)[A-Za-z]+|\\[,!;]', "");
+%! files = glob (fullfile (fileparts (which ("rod_equations")), "equations_*.tex"));
+%! assert (numel (files) >= 12);
+%! for formula = regexp (strjoin (cellfun (@fileread, files.', "UniformOutput", false), ""), '[^\n]+', "match")
+%!   if (formula{1}(1) != "\\" || isempty (regexp (formula{1}, '^\\(section|par)', "once")))
+%!     tex = strrep (formula{1}, "\\mathbf{", "{");
+%!     text = strrep (regexprep (tex_to_mathml (tex), '<[^>]*>|&#\d+;', ""), "−", "-");
+%!     assert (letters (text), letters (plain (tex)), formula{1});
+%!   endif
+%! endfor
 %!error <"\\foo" is not known> tex_to_mathml ("\\foo")

@@ -26,7 +26,7 @@ function write_report (folder, drawing, scene, summary)
                                                  {"tried", "warnings", "seconds", "command", "model_reason"})));
   page.seconds = html_table ({}, [fieldnames(summary.seconds), struct2cell(summary.seconds)]);
   page.parameters = html_table ({"field", "value"}, field_rows (scene));
-  page.equations = equations ();
+  page.equations = equations (drawing.equations);
   page.data = report_data (drawing);
   page.style = part ("report.css");
   page.script = part ("report.js");
@@ -83,16 +83,13 @@ function given = without (given, names)
   given = rmfield (given, intersect (names, fieldnames (given)));
 endfunction
 
-## generated/equations.tex: headings and formulas, one a line
-function html = equations ()
-  tex = fileread (fullfile (fileparts (which ("rod_equations")), "equations.tex"));
+## the parts with the names; a surface of one's own may have been derived without
+function html = equations (names)
   html = "";
-  for line = strsplit (strtrim (tex), "\n")
-    heading = regexp (line{1}, '^\\section\*\{(.*)\}$', "tokens");
-    if (! isempty (heading))
-      html = [html, "<h3>", html_escape(heading{1}{1}), "</h3>\n"];
-    else
-      html = [html, "<div class=\"wide\">", tex_to_mathml(line{1}), "</div>\n"];
+  for name = names
+    file = file_in_loadpath (["equations_" name{1} ".tex"]);
+    if (! isempty (file))
+      html = [html, tex_to_html(fileread (file))];
     endif
   endfor
 endfunction

@@ -1,0 +1,21 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{panel} =} without_zeros (@var{panel}, @var{part})
+## A panel (see @code{new_panel}) without the curves that stay below the @var{part} (1e-9 unless given: rounding) of the
+## largest value in it, which nobody could tell from zero. Where all are zero the first stays.
+## @end deftypefn
+
+function panel = without_zeros (panel, part = 1e-9)
+  reach = max (abs (panel.values), [], 2);
+  kept = reach > part*max ([reach; 0]);
+  if (! any (kept))
+    kept = 1:min (1, rows (panel.values));
+  endif
+  panel.values = panel.values(kept,:);
+  panel.names = panel.names(kept);
+endfunction
+
+%!test
+%! panel = without_zeros (new_panel ("energies", "J", {"T", "U", "Z"}, [1 2; 0 1e-12; -3 0]));
+%! assert (panel.names, {"T", "Z"}); assert (panel.values, [1 2; -3 0]);
+%!assert (without_zeros (new_panel ("energies", "J", {"T", "U"}, zeros (2, 3))).names, {"T"})
+%!assert (without_zeros (new_panel ("modes", "m", {"a", "b"}, [1; 1e-4]), 1e-3).names, {"a"})
