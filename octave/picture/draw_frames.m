@@ -6,15 +6,15 @@
 
 function jobs = draw_frames (drawing, scratch)
   mkdir (fullfile (scratch, "..", "frames"));
-  [frame_size, scale] = frame_units (drawing);
-  camera = fit_camera (drawing, frame_size/scale - [610 130]);
+  layout = frame_layout (drawing);
+  room = [95 + layout.scene_right, layout.scene_bottom + layout.scene_top];
+  camera = fit_camera (drawing, [layout.width, layout.height]/layout.unit - room);
   [stress, range, unit] = body_stress (drawing.bodies);
   settings = scene_settings (drawing, camera);
   slowed = slow_motion (drawing);
   if (! isempty (slowed))
     settings.zoom = [slowed ", " settings.zoom];
   endif
-  [settings.unit, settings.width, settings.height] = deal (scale, frame_size(1), frame_size(2));
   settings.stress = range;
   settings.stress_unit = unit;
   coloured = ! cellfun (@isempty, stress);
@@ -22,7 +22,8 @@ function jobs = draw_frames (drawing, scratch)
   settings.thickness = sprintf ("%.2f ", 2 * max ([drawing.bodies(coloured).half_height] / camera.pixel, 1.5));
   [path, pieces] = tip_path (drawing.bodies);
   write_text (fullfile (scratch, "settings.gp"), ...
-              [gnuplot_settings(settings), strip_data(drawing), gnuplot_block("tip_path", {path})]);
+              [gnuplot_settings(settings), gnuplot_settings(layout), strip_data(drawing), ...
+               gnuplot_block("tip_path", {path})]);
 
   jobs = start_shares (scratch, "frames.gp", numel (drawing.time), ...
                        @(frame) frame_data (drawing, stress, camera, frame, pieces));

@@ -1,8 +1,9 @@
-# One picture a frame, from first to last: the scene at the left, its time histories at the right.
+# One picture a frame, from first to last: the scene, its time histories at the right or below.
 load here."units.gp"
 
 set cbrange [stress_low:stress_high]
-set colorbox user origin screen R(485),Y(65) size screen X(16),Y(units_high - 275)
+bar = scene_right - 30
+set colorbox user origin screen R(bar),Y(scene_bottom) size screen X(16),Y(units_high - scene_bottom - scene_top - 145)
 if (!coloured) { unset colorbox }
 
 do for [frame=first:last] {
@@ -10,21 +11,21 @@ do for [frame=first:last] {
   set output sprintf("../frames/frame_%04d.png", frame)
   set multiplot
 
-  set margins at screen X(95),at screen R(515),at screen Y(65),at screen T(65)
+  set margins at screen X(95),at screen R(scene_right),at screen Y(scene_bottom),at screen T(scene_top)
   set xrange [x_low:x_high]
   set xtics metre_step
   set ytics metre_step
   set yrange [y_low:y_high]
   set xlabel "{/:Italic b}^1, m" offset 0
   set ylabel "{/:Italic b}^2, m" offset 0
-  set label 1 title at screen X(95),T(32) noenhanced font sprintf("sans-serif,%g", 0.75*title_size)
+  set label 1 title at screen X(95),T(32) noenhanced font sprintf("sans-serif,%g", 0.75*fitting(title_size, 950))
   set label 2 clock at screen R(25),T(70) right font "sans-serif,20"
   set label 3 zoom at screen R(25),T(104) right
-  if (coloured) { set label 6 "largest\nbending\nstress, ".stress_unit at screen R(485),T(150) }
+  if (coloured) { set label 6 "largest\nbending\nstress, ".stress_unit at screen R(bar),T(scene_top + 85) }
   set label 4 moment_label at moment_place_low,moment_place_high center front
   if (gravity) {
-    set label 5 "{/:Italic g}" at screen R(468),T(98)
-    set arrow 1 from screen R(480),T(70) to screen R(480),T(130) lw 2 lc rgb ink
+    set label 5 "{/:Italic g}" at screen R(bar - 17),T(scene_top + 33)
+    set arrow 1 from screen R(bar - 5),T(scene_top + 5) to screen R(bar - 5),T(scene_top + 65) lw 2 lc rgb ink
   }
   plot $ground with lines lc rgb ink lw 1.5, \
        $tip_path every ::0::tip with lines lc rgb light lw 1.5, \

@@ -14,6 +14,7 @@ function text = strip_data (drawing)
                      "curves", "", "low", "", "high", "", "step", "");
   table = drawing.time;
   known = {};
+  room = frame_layout (drawing).strip_width;
   for i = 1:settings.strips
     [label, values] = scaled_panel (drawing.strips(i));
     range = padded_range (values);
@@ -22,7 +23,7 @@ function text = strip_data (drawing)
     settings.low = [settings.low, sprintf("%.9g ", range(1))];
     settings.high = [settings.high, sprintf("%.9g ", range(2))];
     settings.step = [settings.step, sprintf("%.9g ", tic_step (range, 5))];
-    [names, places, known] = names_of (label, drawing.strips(i).names, known);
+    [names, places, known] = names_of (label, drawing.strips(i).names, room, known);
     settings.named = [settings.named, sprintf("%d ", numel (names))];
     settings.names = [settings.names, strcat("\"", names, {"\" "}){:}];
     settings.places = [settings.places, num2str(places, "%.0f ") " "];
@@ -32,10 +33,10 @@ function text = strip_data (drawing)
 endfunction
 
 ## one curve is named by the label, and names that a strip above has need not be said again
-function [shown, places, known] = names_of (label, names, known)
+function [shown, places, known] = names_of (label, names, room, known)
   [shown, places] = deal ({}, []);
   if (numel (names) > 1 && ! any (cellfun (@(before) isequal (before, names), known)))
-    [shown, places] = strip_names (label, names);
+    [shown, places] = strip_names (label, names, room);
     if (numel (shown) == numel (names))
       known{end+1} = names;
     endif

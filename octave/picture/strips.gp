@@ -1,6 +1,5 @@
-# The time histories at the right of a frame, up to which they are coloured; see strip_data.m.
-strip_height = strips < 2 ? 240 : (units_high - 210 - 30*(strips - 1))/strips
-bottom(i) = 65 + (strips - i)*(strip_height + 30)
+# The time histories of a frame, up to which they are coloured; see strip_data.m.
+bottom(i) = strip_bottom + (strips - i)*(strip_height + 30)
 unset label
 unset arrow
 unset ylabel
@@ -9,12 +8,12 @@ set xtics t_step
 column = 1
 name = 1
 do for [i=1:strips] {
-  set margins at screen R(320),at screen R(25),at screen Y(bottom(i)),at screen Y(bottom(i) + strip_height)
+  set margins at screen R(strip_left),at screen R(25),at screen Y(bottom(i)),at screen Y(bottom(i) + strip_height)
   set yrange [real(word(low, i)):real(word(high, i))]
   set ytics real(word(step, i))
   set xlabel (i == strips ? "{/:Italic t}, s" : "")
   set format x (i == strips ? "%h" : "")
-  set label 1 word(labels, i) at screen R(320),Y(bottom(i) + strip_height + 14) noenhanced
+  set label 1 word(labels, i) at screen R(strip_left),Y(bottom(i) + strip_height + 14) noenhanced
   n = int(word(curves, i))
   do for [k=1:int(word(named, i))] {
     set label 1+k word(names, name) at screen R(25 + real(word(places, name))),Y(bottom(i) + strip_height + 14) right noenhanced

@@ -14,19 +14,20 @@ do for [frame=first:last] {
     if (kind eq "png" && !frame_with_strips) { set terminal pngcairo size 2000,1500 font "sans-serif,12" fontscale 2 linewidth 2 }
     if (kind eq "svg") { set terminal svg size 1000,750 dynamic font "sans-serif,15" background "white" }
     if (kind eq "pdf") { set terminal pdfcairo size 17.5cm,13cm font "sans-serif,9" }
-    beside = frame_with_strips ? R(345) : 1
+    beside = frame_with_strips && width >= height ? R(345) : 1
+    below = frame_with_strips && width < height ? Y(scene_bottom - 65) : 0
     set output name.".".kind
     set multiplot
     unset border
     unset tics
     unset xlabel
-    set margins at screen 0,at screen beside,at screen 0,at screen 0.9
+    set margins at screen 0,at screen beside,at screen below,at screen 0.9
     set xrange [x_low:x_high]
     set yrange [y_low:y_high]
     set zrange [z_low:z_high]
     set xyplane 0
     set view elevation, azimuth, (frame_with_strips ? 1.1 : 1.3)
-    set label 1 title at screen 0.04,0.95 noenhanced front font sprintf("sans-serif,%g", 0.8*title_size)
+    set label 1 title at screen 0.04,0.95 noenhanced front font sprintf("sans-serif,%g", 0.8*fitting(title_size, frame_with_strips ? 780 : 1300))
     set label 2 clock at screen beside - 0.02,0.95 right front font "sans-serif,18"
     set label 3 slow at screen beside - 0.02,0.9 right front
     splot $surface using 1:2:3:4 with pm3d, \

@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{width} =} text_width (@var{text})
-## How wide @var{text} is, about, in units of a frame (see @code{frame_units}), set in the frames' size.
+## How wide @var{text} is, about, in units of a frame (see @code{frame_layout}), set in the frames' size.
 ## @end deftypefn
 
 function width = text_width (text)

@@ -7,16 +7,15 @@ function write_surface_settings (drawing, scratch, kinds)
   patch = drawing.surface.patch;
   settings = struct ("title", drawing.title, "title_size", min (20, 1300/numel (drawing.title)), "kinds", kinds, ...
                      "slow", slow_motion (drawing));
-  [frame_size, settings.unit] = frame_units (drawing);
-  [settings.width, settings.height] = deal (frame_size(1), frame_size(2));
   for axis = "xyz"
     values = patch.(axis)(:);
     settings.(axis) = [min(values), max(values)] + [-1, 1]*drawing.surface.room;
   endfor
   lines = arrayfun (@(k) [patch.x(:,k), patch.y(:,k), patch.z(:,k), patch.shade(:,k); NaN(1, 4)], ...
                     1:columns (patch.x), "uniformoutput", false);
-  write_text (fullfile (scratch, "settings.gp"), [gnuplot_settings(settings), gnuplot_block("surface", {vertcat(lines{:})}), ...
-                                                  strip_data(drawing)]);
+  write_text (fullfile (scratch, "settings.gp"), ...
+              [gnuplot_settings(settings), gnuplot_settings(frame_layout (drawing)), ...
+               gnuplot_block("surface", {vertcat(lines{:})}), strip_data(drawing)]);
 endfunction
 
 %!test

@@ -178,7 +178,11 @@
     if (strip.values.length < 2) { return; }
     for (let k = strip.names.length - 1, x = right; k >= 0; k--) {
       const width = c.measureText(strip.names[k]).width;
-      if (x - width < left) { return; }
+      if (x - width < left) {
+        c.fillStyle = colour("--soft");
+        c.fillText("…", x, y);
+        return;
+      }
       c.fillStyle = curves[k % curves.length];
       c.fillText(strip.names[k], x, y);
       x -= width + 8;

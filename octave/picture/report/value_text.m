@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{text} =} value_text (@var{value})
 ## A field's @var{value} as a person writes it: a text as it is, a function by its expression, numbers with up to six
-## digits, true and false, and "none" for what is empty.
+## digits, true and false, "none" for what is empty, and what a cell array holds one after
+## the other.
 ## @end deftypefn
 
 function text = value_text (value)
@@ -13,8 +14,8 @@ function text = value_text (value)
     text = value;
   elseif (islogical (value) && isscalar (value))
     text = {"false", "true"}{1 + value};
-  elseif (iscellstr (value))
-    text = strjoin (value(:).', ", ");
+  elseif (iscell (value))
+    text = strjoin (cellfun (@value_text, value(:).', "UniformOutput", false), ", ");
   elseif (isnumeric (value) || islogical (value))
     text = mat2str (value, 6);
   else
@@ -26,3 +27,4 @@ endfunction
 %!assert (value_text ([]), "none")
 %!assert (value_text ([0.1 7]), "[0.1 7]")
 %!assert (value_text (true), "true")
+%!assert (value_text ({[0 1], "a"}), "[0 1], a")
