@@ -9,7 +9,7 @@ VERSION = 1.0
 export SCENE MODES SOLVER TOLERANCE SIZE OUTPUT OCTAVE
 run_octave = $(OCTAVE) --no-gui --no-history --quiet
 
-.PHONY: help setup derive equations simulate models chart stability choices surfaces check fuzz clean dist
+.PHONY: help setup derive equations simulate models chart stability choices surfaces conditioning check fuzz clean dist
 
 help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
@@ -23,6 +23,7 @@ help:
 	@echo 'make stability   where integrators and model turn unstable, predicted and measured: table and chart'
 	@echo 'make choices     all scenes and 20 random ones: the chosen models against 30 + 30 modes'
 	@echo 'make surfaces    convergence in modes of the scenes on surfaces: table and chart'
+	@echo 'make conditioning    condition number of the mass matrix of arcs against the number of base functions: table'
 	@echo 'make fuzz        more of the random round trip [N=10000 SEED=1]'
 	@echo 'make dist        an archive of the sources'
 	@echo 'make clean       remove what runs have written'
@@ -50,6 +51,9 @@ stability:
 
 choices:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; verify_choices (shipped_and_random (20))'
+
+conditioning:
+	@$(run_octave) --eval 'source octave/toolchain_path.m; conditioning ();'
 
 surfaces:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; surface_modes ();'

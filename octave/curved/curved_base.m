@@ -5,7 +5,7 @@
 ## @code{curved_arrays}).  @var{energy} is the scene's model.energy.
 ##
 ## They are turned back so that they have no angular momentum (the frame of Tisserand): else they come near a rotation of
-## the whole rod, and the mass matrix is nearly singular where there are many (`make conditioning').
+## the whole rod.  `make conditioning' shows what this makes of the mass matrix's condition.
 ## @end deftypefn
 
 function [base, arrays] = curved_base (base, rod, section, energy)

@@ -1,0 +1,46 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{table} =} conditioning (@var{folder}, @var{degrees}, @var{sizes})
+## The condition number of a curved hinged rod's mass matrix, rotation included and scaled to a diagonal of ones, for arcs of
+## so many @var{degrees} with N + N base functions, N of the @var{sizes}: rows of [degrees, N, in the frame of Tisserand
+## (see @code{curved_base}), with base functions that are not turned back].  Leaves conditioning.csv in the @var{folder}
+## (default output).
+## @end deftypefn
+
+function table = conditioning (folder = "output", degrees = [1 30 90 180 300], sizes = [1 2 4 8 16 32])
+  table = zeros (0, 4);
+  printf ("%8s %4s %12s %12s\n", "degrees", "N", "Tisserand's", "tangent's");
+  for angle = degrees
+    rod = struct ("length", 1, "curvature", deg2rad (angle), "EA", 1e6, "EI", 10, "rhoA", 1);
+    scene = check_scene (struct ("rod", rod, "duration", 1));
+    section = rod_section (scene.rod, scene.model);
+    for N = sizes
+      [base, arrays] = curved_base (base_functions (1:N, 1:N, 1), scene.rod, section, "uniaxial");
+      as_they_are = curved_arrays (rmfield (base, "turned"), base.axis, section, []);
+      table(end+1,:) = [angle, N, condition(arrays), condition(as_they_are)];
+      printf ("%8g %4d %12.3g %12.3g\n", table(end,:));
+    endfor
+  endfor
+  publish_run (folder, {"conditioning.csv"}, @(aside) write (table, aside));
+endfunction
+
+function c = condition (a)
+  M = [a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia];
+  scale = 1./sqrt (diag (M));
+  c = cond (scale.*M.*scale.');
+endfunction
+
+function write (table, folder)
+  text = sprintf ("%.17g,%.17g,%.17g,%.17g\n", table.');
+  write_text (fullfile (folder, "conditioning.csv"), ["degrees,N,Tisserand's frame,tangent's frame\n" text]);
+endfunction
+
+%!test # the frame of Tisserand is the better one; the condition grows with the number of functions, no faster
+%! folder = tempname (); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   evalc ("table = conditioning (folder, 180, [2 8]);");
+%!   assert (all (table(:,3) < table(:,4)));
+%!   assert (table(2,3) < 1.2*4*table(1,3));
+%!   assert (csvread (fullfile (folder, "conditioning.csv"), 1, 0), table, 1e-9);
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect
