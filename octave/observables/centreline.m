@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{x}, @var{y}] =} centreline (@var{model}, @var{stations}, @var{history}, @var{zoom})
-## Points of the centreline in the fixed frame (p-by-m, m) at the @var{stations} (p numbers, m, along the undeformed rod)
-## and all m times of @var{history} (phi, V), with the deformation multiplied by @var{zoom}.
+## Points of the centreline in the fixed frame (p-by-m, m) at the @var{stations} (p numbers, m, along the undeformed
+## rod) and all m times of @var{history} (phi, V), with the deformation multiplied by @var{zoom}.
 ## @end deftypefn
 
 function [x, y] = centreline (model, stations, history, zoom)

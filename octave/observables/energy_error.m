@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{error} =} energy_error (@var{history})
-## How far the balance T + U + Z + D - W of a @var{history} (see @code{measure}) is off from its start at each of its times
-## (1-by-m), as a part of the largest energy.
+## How far the balance T + U + Z + D - W of a @var{history} (see @code{measure}) is off from its start at each of its
+## times (1-by-m), as a part of the largest energy.
 ## @end deftypefn
 
 function error = energy_error (history)

@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{history} =} measure (@var{system}, @var{model}, @var{times}, @var{states})
-## What is observed at the frame times: a struct of 1-by-m rows t, phi, phi_dot, psi, tip_x, tip_y, T, U, Z, W, D, balance
-## (T + U + Z + D - W, constant) and torque (of a hub, else empty), and the coordinates q (n-by-m) and amplitudes V (N-by-m) of all base functions, with
-## their names V1_1, ..., V2_1, ... (V2_-1: the correction for a moment at O).
+## What is observed at the frame times: a struct of 1-by-m rows t, phi, phi_dot, psi, tip_x, tip_y, T, U, Z, W, D,
+## balance (T + U + Z + D - W, constant) and torque (of a hub, else empty), and the coordinates q (n-by-m) and
+## amplitudes V (N-by-m) of all base functions, with their names V1_1, ..., V2_1, ... (V2_-1: the correction for a
+## moment at O).
 ## @end deftypefn
 
 function history = measure (system, model, times, states)
@@ -20,7 +21,8 @@ function history = measure (system, model, times, states)
     history.V(1:N1,:) = rod_followers (motion.phi, motion.phi_dot, system.gravity, followers.flexibility, ...
                                        followers.centrifugal_vector, followers.first_moment_1);
   endif
-  history.psi = rod_tangent_angle (motion.phi, motion.q, a.slope_1, a.slope_2) + nthargout (3, @undeformed_places, model.base, 0);
+  history.psi = rod_tangent_angle (motion.phi, motion.q, a.slope_1, a.slope_2) + ...
+      nthargout (3, @undeformed_places, model.base, 0);
   E = system.energies (motion.phi, motion.phi_dot, motion.q, motion.q_dot);
   [history.T, history.U, history.Z] = deal (E(1,:), E(2,:), E(3,:));
   history.V_names = mode_names (model.base);

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} record_failure (@var{folder}, @var{name}, @var{scene}, @var{message})
-## Leave in summary.json of the @var{folder} that a run failed, when and why: the field last_failure, which the next good
-## run removes.  The other fields, like all other files, stay those of the last good run; without one there are only the
-## scene, its title and its solver.
+## Leave in summary.json of the @var{folder} that a run failed, when and why: the field last_failure, which the next
+## good run removes.  The other fields, like all other files, stay those of the last good run; without one there are
+## only the scene, its title and its solver.
 ## @end deftypefn
 
 function record_failure (folder, name, scene, message)
@@ -11,7 +11,8 @@ function record_failure (folder, name, scene, message)
   if (exist (file, "file"))
     summary = jsondecode (fileread (file));
   endif
-  summary.last_failure = struct ("time", strftime ("%Y-%m-%d %H:%M:%S", localtime (time ())), "message", strtrim (message));
+  summary.last_failure = struct ("time", strftime ("%Y-%m-%d %H:%M:%S", localtime (time ())), ...
+                                 "message", strtrim (message));
   publish_run (folder, {"summary.json"}, @(aside) write_summary (summary, fullfile (aside, "summary.json")));
 endfunction
 

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} show_progress (@var{text})
-## On a terminal, and only there, the line of progress, which the next one replaces; an empty @var{text} clears it. What
-## has no room on the terminal's line is cut off, since no second line could be replaced.
+## On a terminal, and only there, the line of progress, which the next one replaces; an empty @var{text} clears it.
+## What has no room on the terminal's line is cut off, since no second line could be replaced.
 ## @end deftypefn
 
 function show_progress (text)

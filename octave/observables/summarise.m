@@ -1,5 +1,6 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{summary} =} summarise (@var{name}, @var{scene}, @var{model}, @var{choice}, @var{count}, @var{history})
+## @deftypefn {} {@var{summary} =} summarise (@var{name}, @var{scene}, @var{model}, @var{choice}, @var{count}, @
+## @var{history})
 ## What a run was and how it went: the struct that summary.json holds.
 ## @end deftypefn
 
@@ -23,7 +24,8 @@ function summary = summarise (name, scene, model, choice, count, history)
   if (! isempty (choice.trial))
     [moved.x, moved.y] = centreline (model, linspace (0, model.length, rows (choice.reference.x)), history, 1);
     summary.estimated_error_m = distance (moved, choice.reference);
-    summary.estimated_error_pixels = summary.estimated_error_m/(2*tolerance_in_metres (setfield (scene, "solver", "tolerance", "pixel")));
+    half_pixel = tolerance_in_metres (setfield (scene, "solver", "tolerance", "pixel"));
+    summary.estimated_error_pixels = summary.estimated_error_m/(2*half_pixel);
     summary.tried = rmfield (choice.tried, "rung");
     summary.seconds.choice = sum ([choice.tried.seconds]);
   endif
@@ -42,15 +44,16 @@ endfunction
 function warnings = energy_warning (relative)
   warnings = {};
   if (relative > 1e-3)
-    warnings = {sprintf("the energy balance is off by %.1g of the largest energy: take a smaller tolerance", relative)};
+    warnings = {sprintf("the energy balance is off by %.1g of the largest energy: take a smaller tolerance", ...
+                        relative)};
   endif
 endfunction
 
 function warnings = error_warning (summary)
   warnings = {};
   if (summary.estimated_error_m > summary.tolerance_m)
-    warnings = {sprintf("the estimated error is %.2g m, the tolerance %.2g m: take a smaller tolerance or another solver", ...
-                        summary.estimated_error_m, summary.tolerance_m)};
+    warnings = {sprintf(["the estimated error is %.2g m, the tolerance %.2g m: take a smaller tolerance or another" ...
+                         " solver"], summary.estimated_error_m, summary.tolerance_m)};
   endif
 endfunction
 

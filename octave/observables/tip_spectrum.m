@@ -64,7 +64,8 @@ function deflection = kept_deflection (model, motion, projector)
 endfunction
 
 %!test # a rod struck softly oscillates at its first frequency, with its amplitude
-%! scene = struct ("duration", 0.5, "gravity", 0, "initial", struct ("V2", 1e-5), "solver", struct ("tolerance", 1e-9));
+%! scene = struct ("duration", 0.5, "gravity", 0, "initial", struct ("V2", 1e-5), ...
+%!                 "solver", struct ("tolerance", 1e-9));
 %! scene.rod = struct ("length", 1, "width", 0.02, "half_height", 0.015);
 %! scene.model = struct ("modes", [0 2], "energy", "uniaxial");
 %! scene = check_scene (scene);

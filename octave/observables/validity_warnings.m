@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{warnings} =} validity_warnings (@var{scene}, @var{model}, @var{history})
-## Where a run leaves what its model holds for: a cellstr of warnings with numbers and remedies.  Looked at are the slope
-## v2,1 and the strain, the rate of rotation against the first frequency of the simply supported rod, the times of the
-## loads' changes against the highest mode, and the drawn slope at the scene's zoom.
+## Where a run leaves what its model holds for: a cellstr of warnings with numbers and remedies.  Looked at are the
+## slope v2,1 and the strain, the rate of rotation against the first frequency of the simply supported rod, the times
+## of the loads' changes against the highest mode, and the drawn slope at the scene's zoom.
 ## @end deftypefn
 
 function warnings = validity_warnings (scene, model, history)
@@ -15,16 +15,17 @@ function warnings = slope_warnings (scene, model, history)
   [along, across] = functions_at (model.base, linspace (0, model.length, 101).', 1);
   slope = max ([0; abs(across*history.V)(:)]);
   if (slope > 0.2)
-    warnings{end+1} = sprintf (["the slope v2,1 reaches %.2g, the theory holds for small ones: errors of its square are" ...
-                                " %.1g; take a stiffer rod or smaller loads"], slope, slope^2/2);
+    warnings{end+1} = sprintf (["the slope v2,1 reaches %.2g, the theory holds for small ones: errors of its" ...
+                                " square are %.1g; take a stiffer rod or smaller loads"], slope, slope^2/2);
   endif
   strain = max ([0; abs(along*history.V)(:)]);
   if (strain > 0.01)
-    warnings{end+1} = sprintf ("the strain v1,1 reaches %.2g, linear elasticity holds for small ones: take smaller loads", strain);
+    warnings{end+1} = sprintf (["the strain v1,1 reaches %.2g, linear elasticity holds for small ones:" ...
+                                " take smaller loads"], strain);
   endif
   if (scene.zoom*slope > 3)
-    warnings{end+1} = sprintf (["the drawn slope reaches %.3g at zoom %g, so that the drawn rod may cross itself: take a" ...
-                                " zoom of %.2g"], scene.zoom*slope, scene.zoom, 3/slope);
+    warnings{end+1} = sprintf (["the drawn slope reaches %.3g at zoom %g, so that the drawn rod may cross itself:" ...
+                                " take a zoom of %.2g"], scene.zoom*slope, scene.zoom, 3/slope);
   endif
 endfunction
 
@@ -39,8 +40,9 @@ function warnings = spectrum_warning (scene, model)
   highest = sqrt (max (diag (a.stiffness_matrix)./diag (a.mass_matrix)));
   shortest = min (diff (breaks));
   if (2*pi/shortest > highest)
-    warnings = {sprintf(["a load changes within %.2g s, its spectrum reaches %.3g rad/s, beyond the highest mode at %.3g" ...
-                         " rad/s: take more modes, or model.modes = \"auto\""], shortest, 2*pi/shortest, highest)};
+    warnings = {sprintf(["a load changes within %.2g s, its spectrum reaches %.3g rad/s, beyond the highest mode" ...
+                         " at %.3g rad/s: take more modes, or model.modes = \"auto\""], ...
+                        shortest, 2*pi/shortest, highest)};
   endif
 endfunction
 

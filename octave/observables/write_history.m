@@ -15,7 +15,8 @@ endfunction
 
 %!test
 %! history = struct ("t", [0 0.1], "phi", [1 2], "phi_dot", [3 4], "psi", [5 6], "tip_x", [7 8], "tip_y", [9 10], ...
-%!                   "V", [pi 2], "V_names", {{"V2_1"}}, "T", [1 2], "U", [3 4], "Z", [5 6], "W", [7 8], "D", [9 10], "torque", []);
+%!                   "V", [pi 2], "V_names", {{"V2_1"}}, "T", [1 2], "U", [3 4], "Z", [5 6], "W", [7 8], ...
+%!                   "D", [9 10], "torque", []);
 %! file = tempname ();
 %! unwind_protect
 %!   write_history (history, file);

@@ -4,8 +4,11 @@ set format x "10^{%L}"
 set format y "10^{%L}"
 set grid
 shape(k) = int (word ("7 5 9 11 13 15 6 4 8 10 12 14", (k - 1) % 12 + 1))
-colour(k) = int (word ("0x1f77b4 0xd62728 0x2ca02c 0xff7f0e 0x9467bd 0x8c564b 0xe377c2 0x7f7f7f 0xbcbd22 0x17becf 0x000000 0x004488 0xaa3377 0x999933", k))
-curve(k, x) = sprintf (", $curve_%d using %d:3 with linespoints pt %d ps 0.7 lc rgb %d title '%s'", k, x, shape (k), colour (k), word (methods, k)). \
+colours = "0x1f77b4 0xd62728 0x2ca02c 0xff7f0e 0x9467bd 0x8c564b 0xe377c2 0x7f7f7f 0xbcbd22 0x17becf ". \
+          "0x000000 0x004488 0xaa3377 0x999933"
+colour(k) = int (word (colours, k))
+curve(k, x) = sprintf (", $curve_%d using %d:3 with linespoints pt %d ps 0.7 lc rgb %d title '%s'", k, x, shape (k), \
+    colour (k), word (methods, k)). \
   sprintf (", $part_%d using %d:3 with points pt 6 ps 1.8 lc rgb %d notitle", k, x, colour (k)). \
   sprintf (", $failed_%d using %d:3 with points pt 2 ps 1.2 lw 2 lc rgb %d notitle", k, x, colour (k))
 panel_1 = "plot NaN notitle"
@@ -21,7 +24,8 @@ do for [kind in "svg png"] {
   set output "../chart.".kind
   set multiplot
   set label 1 title at screen 0.5,0.965 center noenhanced font ",16"
-  set label 2 "larger of the tip's error in m and the hinge angle's in rad, over all frames; ringed: extrapolated from a part of the duration; crosses: failed" \
+  set label 2 "larger of the tip's error in m and the hinge angle's in rad, over all frames; ". \
+              "ringed: extrapolated from a part of the duration; crosses: failed" \
     at screen 0.5,0.03 center textcolor rgb "#606060" font ",12"
   set tmargin at screen 0.91
   set bmargin at screen 0.15
@@ -59,7 +63,8 @@ do for [kind in "svg png"] {
   set format x "%g"
   set xlabel "N + N modes"
   set ylabel "s per simulated s"
-  plot $cost using 1:2 with linespoints pt 7 lw 2 lc rgb "#1f77b4" title "waveform, 1e-6 m", cost_low*(x/2)**2 with lines dt 2 lc rgb "#606060" title "N²"
+  plot $cost using 1:2 with linespoints pt 7 lw 2 lc rgb "#1f77b4" title "waveform, 1e-6 m", \
+      cost_low*(x/2)**2 with lines dt 2 lc rgb "#606060" title "N²"
   unset multiplot
   unset output
   reset

@@ -3,7 +3,8 @@ colour(k) = int (word ("0x1f77b4 0xd62728 0x2ca02c 0xff7f0e 0x9467bd 0x8c564b 0x
 shape(k) = int (word ("7 5 9 11 13 15 6 4", k))
 do for [kind in "svg png"] {
   if (kind eq "svg") { set terminal svg size 1500,600 dynamic font "sans-serif,14" background "white" noenhanced }
-  if (kind eq "png") { set terminal pngcairo size 3000,1200 font "sans-serif,11" fontscale 2 linewidth 2 pointscale 2 noenhanced }
+  if (kind eq "png") { set terminal pngcairo size 3000,1200 font "sans-serif,11" fontscale 2 linewidth 2 pointscale 2 \
+      noenhanced }
   set output "../chart.".kind
   set logscale xy
   set format xy "%.0e"
@@ -17,12 +18,14 @@ do for [kind in "svg png"] {
   set rmargin at screen 0.33
   set ylabel "error of the rods' ends, m"
   unset key
-  plot for [k=1:words (methods)] "$curve_".k using 1:2 with linespoints pt shape (k) ps 0.7 lc rgb colour (k) title word (methods, k)
+  plot for [k=1:words (methods)] "$curve_".k using 1:2 with linespoints pt shape (k) ps 0.7 lc rgb colour (k) \
+      title word (methods, k)
   set lmargin at screen 0.40
   set rmargin at screen 0.66
   set ylabel "constraint drift, m or rad"
   set key at screen 0.67,0.9 left top reverse Left samplen 2
-  plot for [k=1:words (methods)] "$curve_".k using 1:3 with linespoints pt shape (k) ps 0.7 lc rgb colour (k) title word (methods, k)
+  plot for [k=1:words (methods)] "$curve_".k using 1:3 with linespoints pt shape (k) ps 0.7 lc rgb colour (k) \
+      title word (methods, k)
   set key default
   set key top left
   set lmargin at screen 0.83

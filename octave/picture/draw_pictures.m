@@ -12,8 +12,8 @@
 ## @table @code
 ## @item bodies
 ## a struct array of @code{x}, @code{y} (P-by-F, m: the centreline as drawn), @code{rest_x}, @code{rest_y} (P-by-F, m:
-## the undeformed body), @code{half_height} (m), @code{stress} (P-by-F, Pa, or empty); P may differ. The end of the last
-## one leaves a trail;
+## the undeformed body), @code{half_height} (m), @code{stress} (P-by-F, Pa, or empty); P may differ. The end of the
+## last one leaves a trail;
 ## @item hinges
 ## a struct of @code{x}, @code{y} (H-by-F, m, as drawn; H may be 0) and, where not all stand on the ground,
 ## @code{ground} (H-by-1, logical): others are between bodies; where not all are pins, @code{shape} (H-by-1 cellstr):
@@ -27,8 +27,8 @@
 ## @item spectrum
 ## where there is one, for the foot of @file{history.svg}: a struct like that of @code{tip_spectrum};
 ## @item surface, backdrop
-## of a rod on a surface: what is drawn in three dimensions (see @code{draw_surface_frames}), the @code{bodies} being what
-## the camera sees at the start, and lines of the surface (cell array of m-by-2, m) behind those.
+## of a rod on a surface: what is drawn in three dimensions (see @code{draw_surface_frames}), the @code{bodies} being
+## what the camera sees at the start, and lines of the surface (cell array of m-by-2, m) behind those.
 ## @end table
 ##
 ## @var{warnings} is a cell array of texts: what could not be made, and why. @var{seconds} is a struct of how long
@@ -38,7 +38,8 @@
 
 function [warnings, seconds] = draw_pictures (drawing, folder)
   check_drawing (drawing);
-  [figure, frames] = {@draw_figure3, @draw_frames; @draw_surface_figure, @draw_surface_frames}{1 + isfield(drawing, "surface"),:};
+  of_surface = isfield (drawing, "surface");
+  [figure, frames] = {@draw_figure3, @draw_frames; @draw_surface_figure, @draw_surface_frames}{1 + of_surface,:};
   scratch = @(name) fullfile (folder, ["scratch_" name]);
   cellfun (@(name) mkdir (scratch (name)), {"figure3", "history", "frames"});
   jobs = [];

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{job} =} draw_surface_figure (@var{drawing}, @var{scratch})
-## As @code{draw_figure3}, of a drawing with a @code{surface} (see @code{draw_surface_frames}): the rod at up to nine even
-## times, the last one the thickest.
+## As @code{draw_figure3}, of a drawing with a @code{surface} (see @code{draw_surface_frames}): the rod at up to nine
+## even times, the last one the thickest.
 ## @end deftypefn
 
 function job = draw_surface_figure (drawing, scratch)
@@ -13,7 +13,8 @@ function job = draw_surface_figure (drawing, scratch)
 endfunction
 
 %!test
-%! folder = tempname (); mkdir (folder); mkdir (fullfile (folder, "scratch")); confirm_recursive_rmdir (false, "local");
+%! folder = tempname (); mkdir (folder); mkdir (fullfile (folder, "scratch"));
+%! confirm_recursive_rmdir (false, "local");
 %! unwind_protect
 %!   finish_tool (draw_surface_figure (sample_surface (3), fullfile (folder, "scratch")));
 %!   for kind = {"svg", "png", "pdf"}

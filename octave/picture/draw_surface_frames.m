@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{jobs} =} draw_surface_frames (@var{drawing}, @var{scratch})
-## As @code{draw_frames}, of a drawing with a @code{surface}: a struct of the @code{patch} (see @code{surface_patch}) and
-## the @code{rod} (a struct of x, y, z, P-by-F, m), with the @code{room} (m) that both have around them, whether the
-## rod's two ends are @code{held}, the camera's @code{elevation} (degrees) and its @code{azimuth} in each frame. What lies behind the surface is hidden.
+## As @code{draw_frames}, of a drawing with a @code{surface}: a struct of the @code{patch} (see @code{surface_patch})
+## and the @code{rod} (a struct of x, y, z, P-by-F, m), with the @code{room} (m) that both have around them, whether
+## the rod's two ends are @code{held}, the camera's @code{elevation} (degrees) and its @code{azimuth} in each frame.
+## What lies behind the surface is hidden.
 ## @end deftypefn
 
 function jobs = draw_surface_frames (drawing, scratch)
@@ -13,7 +14,8 @@ function jobs = draw_surface_frames (drawing, scratch)
 endfunction
 
 %!test # frames of the right size
-%! folder = tempname (); mkdir (folder); mkdir (fullfile (folder, "scratch")); confirm_recursive_rmdir (false, "local");
+%! folder = tempname (); mkdir (folder); mkdir (fullfile (folder, "scratch"));
+%! confirm_recursive_rmdir (false, "local");
 %! unwind_protect
 %!   drawing = setfield (sample_surface (2), "frame_size", [640 400]);
 %!   arrayfun (@finish_tool, draw_surface_frames (drawing, fullfile (folder, "scratch")));

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{ground}, @var{pins}] =} hinge_symbol (@var{hinges}, @var{frame}, @var{size})
-## Polylines (n-by-2, m, with rows of NaN between them) of the hinges in one @var{frame}: @var{pins} are the outlines of
-## their @code{shape} (see @code{draw_pictures}), @var{ground} the hatched supports of those on the ground.
+## Polylines (n-by-2, m, with rows of NaN between them) of the hinges in one @var{frame}: @var{pins} are the outlines
+## of their @code{shape} (see @code{draw_pictures}), @var{ground} the hatched supports of those on the ground.
 ## @end deftypefn
 
 function [ground, pins] = hinge_symbol (hinges, frame, size)

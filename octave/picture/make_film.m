@@ -16,10 +16,11 @@ function warnings = make_film (frames, frames_per_second, folder)
   run_tool (folder, "ffmpeg", ["cat " few "| ffmpeg -loglevel error -y -f image2pipe -c:v png -i -" ...
                                " -vf palettegen palette.png"]);
   source = sprintf ("ffmpeg -nostdin -loglevel error -y -framerate %.9g -i frames/frame_%%04d.png", frames_per_second);
-  film = [source " -c:v libx264 -preset veryfast -bf 0 -x264-params rc-lookahead=5 -pix_fmt yuv420p -crf 18 -movflags +faststart" ...
-          " animation.mp4"];
+  film = [source " -c:v libx264 -preset veryfast -bf 0 -x264-params rc-lookahead=5 -pix_fmt yuv420p -crf 18" ...
+          " -movflags +faststart animation.mp4"];
   ## Browsers slow a gif of more than 50 frames a second down. Without dithering, what stands still costs nothing.
-  filter = sprintf ("[0] fps=%.9g [f]; [f][1] paletteuse=dither=none:diff_mode=rectangle", min (frames_per_second, 50));
+  filter = sprintf ("[0] fps=%.9g [f]; [f][1] paletteuse=dither=none:diff_mode=rectangle", ...
+                    min (frames_per_second, 50));
   gif = [source " -i palette.png -filter_complex '" filter "' animation.gif"];
   jobs = [start_tool(folder, "ffmpeg", film), start_tool(folder, "ffmpeg", gif)];
   arrayfun (@finish_tool, jobs);

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{strips} =} rod_strips (@var{history}, @var{moment}, @var{length})
 ## The panels (see @code{new_panel}) beside each frame of a hinged rod, of its @var{history} (see @code{measure}) and
-## the @var{moment} at O (1-by-F, N m); without one it is the tip's deflection, for the @var{length} (m), along or across
-## the tangent, whichever is larger.
+## the @var{moment} at O (1-by-F, N m); without one it is the tip's deflection, for the @var{length} (m), along or
+## across the tangent, whichever is larger.
 ## @end deftypefn
 
 function strips = rod_strips (history, moment, length)

@@ -1,7 +1,8 @@
 # Regions of stability, the wall of adaptive explicit methods, numerical damping, resonances, energy over many periods.
 do for [kind in "svg png"] {
   if (kind eq "svg") { set terminal svg size 1600,900 dynamic font "sans-serif,14" background "white" }
-  if (kind eq "png") { set terminal pngcairo size 3200,1800 font "sans-serif,11" fontscale 2 linewidth 2 pointscale 1.5 }
+  if (kind eq "png") { set terminal pngcairo size 3200,1800 font "sans-serif,11" fontscale 2 linewidth 2 \
+                                             pointscale 1.5 }
   set output "../stability.".kind
   set multiplot layout 2,3 margins 0.055,0.985,0.085,0.94 spacing 0.075,0.15
   set grid
@@ -13,7 +14,8 @@ do for [kind in "svg png"] {
   set xrange [-5:2]
   set yrange [0:5]
   plot $rk4_region using 1:2 with lines lw 2 title "rk4", $ode45_region using 1:2 with lines lw 2 title "ode45", \
-       $ode23_region using 1:2 with lines lw 2 title "ode23", $marks using 1:2 with points pt 7 ps 0.7 lc rgb "black" title "h ω, 7 + 7 modes"
+       $ode23_region using 1:2 with lines lw 2 title "ode23", \
+       $marks using 1:2 with points pt 7 ps 0.7 lc rgb "black" title "h ω, 7 + 7 modes"
   set autoscale
 
   set title "adaptive explicit methods: no tolerance passes the wall"
@@ -23,7 +25,8 @@ do for [kind in "svg png"] {
   set ylabel "mean h ω_{max}"
   set yrange [0:2]
   set key bottom right
-  plot $ode45_wall using 1:2 with linespoints lw 2 pt 7 title "ode45", $ode23_wall using 1:2 with linespoints lw 2 pt 5 title "ode23", \
+  plot $ode45_wall using 1:2 with linespoints lw 2 pt 7 title "ode45", \
+      $ode23_wall using 1:2 with linespoints lw 2 pt 5 title "ode23", \
        0.9972 lc 1 dt 2 title "limit 0.997", 1.7321 lc 2 dt 2 title "limit 1.732"
   unset logscale
   set format x
@@ -58,7 +61,8 @@ do for [kind in "svg png"] {
   set key top right
   set offsets graph 0, graph 0, graph 0.25, graph 0
   set title "energy, h ω = 0.5"
-  plot $stormer_verlet using 1:2 with points pt 7 ps 0.15 title "stormer_verlet", $implicit_midpoint using 1:2 with points pt 7 ps 0.15 title "implicit_midpoint"
+  plot $stormer_verlet using 1:2 with points pt 7 ps 0.15 title "stormer_verlet", \
+      $implicit_midpoint using 1:2 with points pt 7 ps 0.15 title "implicit_midpoint"
   unset multiplot
   unset output
   reset

@@ -1,14 +1,16 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{job} =} start_gnuplot (@var{scratch}, @var{script}, @var{first}, @var{last})
 ## Start gnuplot in the folder @var{scratch} on the @file{settings.gp} there and on @var{script}, a file beside this
-## one, which finds the numbers of its frames in the variables first and last, and its folder in here; @code{finish_tool} waits for its end.
+## one, which finds the numbers of its frames in the variables first and last, and its folder in here;
+## @code{finish_tool} waits for its end.
 ## @end deftypefn
 
 function job = start_gnuplot (scratch, script, first = 1, last = 1)
   here = fileparts (mfilename ("fullpath"));
   scripts = cellfun (@(name) gnuplot_string (fullfile (here, name)), {"look.gp", script}, "UniformOutput", false);
   share = sprintf ("share_%d.gp", first);
-  write_text (fullfile (scratch, share), [gnuplot_settings(struct ("first", first, "last", last, "here", [here filesep])), ...
+  write_text (fullfile (scratch, share), [gnuplot_settings(struct ("first", first, "last", last, ...
+                                                                   "here", [here filesep])), ...
                                           sprintf("load %s\n", "'settings.gp'", scripts{:})]);
   job = start_tool (scratch, "gnuplot", ["gnuplot " share]);
 endfunction

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{jobs} =} start_shares (@var{scratch}, @var{script}, @var{frames}, @var{frame_text})
-## Draw the @var{frames} (a number) with gnuplot's @var{script} (see @code{start_gnuplot}) in the folder @var{scratch}, in
-## shares: each is drawn while the data of the next one are written. @var{frame_text} (frame) is what a frame's file holds.
-## The frames are there when all @var{jobs} (see @code{finish_tool}) have ended.
+## Draw the @var{frames} (a number) with gnuplot's @var{script} (see @code{start_gnuplot}) in the folder @var{scratch},
+## in shares: each is drawn while the data of the next one are written. @var{frame_text} (frame) is what a frame's file
+## holds. The frames are there when all @var{jobs} (see @code{finish_tool}) have ended.
 ## @end deftypefn
 
 function jobs = start_shares (scratch, script, frames, frame_text)

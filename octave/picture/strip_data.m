@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{text} =} strip_data (@var{drawing})
-## The strips beside the frames of @var{drawing} (see @code{draw_pictures}) for @file{strips.gp}: $history, the time and
-## all curves, the time's range and step, and what each strip has, as lists of words (see @code{strip_names}).
+## The strips beside the frames of @var{drawing} (see @code{draw_pictures}) for @file{strips.gp}: $history, the time
+## and all curves, the time's range and step, and what each strip has, as lists of words (see @code{strip_names}).
 ## @end deftypefn
 
 function text = strip_data (drawing)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{names}, @var{places}] =} strip_names (@var{label}, @var{names}, @var{room})
-## The @var{names} of curves that stand beside the @var{label} of a strip, in their colours: as many as there is room for
-## in so many units of @var{room}, with "…" after them where these are not all. @var{places} are where each of them ends,
-## in units from the right of the strip.
+## The @var{names} of curves that stand beside the @var{label} of a strip, in their colours: as many as there is room
+## for in so many units of @var{room}, with "…" after them where these are not all. @var{places} are where each of them
+## ends, in units from the right of the strip.
 ## @end deftypefn
 
 function [names, places] = strip_names (label, names, room)

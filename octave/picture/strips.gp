@@ -16,7 +16,8 @@ do for [i=1:strips] {
   set label 1 word(labels, i) at screen R(strip_left),Y(bottom(i) + strip_height + 14) noenhanced
   n = int(word(curves, i))
   do for [k=1:int(word(named, i))] {
-    set label 1+k word(names, name) at screen R(25 + real(word(places, name))),Y(bottom(i) + strip_height + 14) right noenhanced
+    set label 1+k word(names, name) at screen R(25 + real(word(places, name))),Y(bottom(i) + strip_height + 14) right \
+        noenhanced
     if (word(names, name) ne "…") { set label 1+k textcolor linetype k }
     name = name + 1
   }

@@ -1,4 +1,5 @@
-# One picture a frame: the surface shaded, its mesh and the rod with what lies behind hidden. what: "frames" or "figure3".
+# One picture a frame, or of all at once for the figure: the surface shaded, its mesh and the rod, with what lies
+# behind them hidden.
 ink_rod = "#b03000"
 set view equal xyz
 unset colorbox
@@ -11,7 +12,8 @@ load here."units.gp"
 do for [frame=first:last] {
   load sprintf("%04d.gp", frame)
   do for [kind in kinds] {
-    if (kind eq "png" && !frame_with_strips) { set terminal pngcairo size 2000,1500 font "sans-serif,12" fontscale 2 linewidth 2 }
+    if (kind eq "png" && !frame_with_strips) { set terminal pngcairo size 2000,1500 font "sans-serif,12" \
+        fontscale 2 linewidth 2 }
     if (kind eq "svg") { set terminal svg size 1000,750 dynamic font "sans-serif,15" background "white" }
     if (kind eq "pdf") { set terminal pdfcairo size 17.5cm,13cm font "sans-serif,9" }
     beside = frame_with_strips && width >= height ? R(345) : 1
@@ -27,7 +29,8 @@ do for [frame=first:last] {
     set zrange [z_low:z_high]
     set xyplane 0
     set view elevation, azimuth, (frame_with_strips ? 1.1 : 1.3)
-    set label 1 title at screen 0.04,0.95 noenhanced front font sprintf("sans-serif,%g", 0.8*fitting(title_size, frame_with_strips ? 780 : 1300))
+    set label 1 title at screen 0.04,0.95 noenhanced front font \
+        sprintf("sans-serif,%g", 0.8*fitting(title_size, frame_with_strips ? 780 : 1300))
     set label 2 clock at screen beside - 0.02,0.95 right front font "sans-serif,18"
     set label 3 slow at screen beside - 0.02,0.9 right front
     splot $surface using 1:2:3:4 with pm3d, \

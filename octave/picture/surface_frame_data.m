@@ -9,7 +9,8 @@ function text = surface_frame_data (drawing, shown, name)
   last = shown(end);
   rod = drawing.surface.rod;
   settings = struct ("name", name, "clock", clock_text (drawing, last), "rods", numel (shown), ...
-                     "elevation", 90 - drawing.surface.elevation, "azimuth", mod (90 + drawing.surface.azimuth(last), 360));
+                     "elevation", 90 - drawing.surface.elevation, "azimuth", mod (90 + ...
+                           drawing.surface.azimuth(last), 360));
   rods = arrayfun (@(k) [rod.x(:,k), rod.y(:,k), rod.z(:,k)], shown, "uniformoutput", false);
   tip = [rod.x(end,1:last); rod.y(end,1:last); rod.z(end,1:last)].';
   ends = [1, rows(rod.x)](drawing.surface.held);

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{path}, @var{pieces}] =} tip_path (@var{bodies})
-## The path of the end of the last of the @var{bodies} (see @code{draw_pictures}), m-by-2 (m), smooth where the frames are
-## dense enough to tell its way between them: so many @var{pieces} a frame, on cubic splines.
+## The path of the end of the last of the @var{bodies} (see @code{draw_pictures}), m-by-2 (m), smooth where the frames
+## are dense enough to tell its way between them: so many @var{pieces} a frame, on cubic splines.
 ## @end deftypefn
 
 function [path, pieces] = tip_path (bodies)

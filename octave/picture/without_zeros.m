@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{panel} =} without_zeros (@var{panel}, @var{part})
-## A panel (see @code{new_panel}) without the curves that stay below the @var{part} (1e-9 unless given: rounding) of the
-## largest value in it, which nobody could tell from zero. Where all are zero the first stays.
+## A panel (see @code{new_panel}) without the curves that stay below the @var{part} (1e-9 unless given: rounding) of
+## the largest value in it, which nobody could tell from zero. Where all are zero the first stays.
 ## @end deftypefn
 
 function panel = without_zeros (panel, part = 1e-9)

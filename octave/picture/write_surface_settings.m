@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} write_surface_settings (@var{drawing}, @var{scratch}, @var{kinds})
-## What @file{surface.gp} needs for all frames, in the folder @var{scratch}: @var{kinds} are the kinds of files, as words.
+## What @file{surface.gp} needs for all frames, in the folder @var{scratch}: @var{kinds} are the kinds of files, as
+## words.
 ## @end deftypefn
 
 function write_surface_settings (drawing, scratch, kinds)

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{seconds} =} call_times ()
-## Time a call of the rate of the paper's scene at 7 + 7 modes, in the general form and in the literal one, in turn: the
-## medians of several runs, [general, literal] in s.  Without a result it prints them and their ratio.
+## Time a call of the rate of the paper's scene at 7 + 7 modes, in the general form and in the literal one, in turn:
+## the medians of several runs, [general, literal] in s.  Without a result it prints them and their ratio.
 ## @end deftypefn
 
 function seconds = call_times ()

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{table} =} constrained_precision (@var{scene}, @var{folder})
-## The work-precision diagram of all integrators of mechanisms on a @var{scene} of several bodies: the error of all centrelines'
-## ends and the constraints' drift over all frames against seconds, and the cost of chains beside it.  The
+## The work-precision diagram of all integrators of mechanisms on a @var{scene} of several bodies: the error of all
+## centrelines' ends and the constraints' drift over all frames against seconds, and the cost of chains beside it.  The
 ## reference is `radau' at 1e-12 m, with which `ode15i' at 1e-9 m is compared.  What takes more than a minute is
 ## given up.  Leaves chart.csv, cost.csv, chart.svg and chart.png in the @var{folder}; @var{table} is a struct
 ## array of method, parameter (tolerance in m, or step in s), error (m), drift (m or rad), seconds, calls, failure.
@@ -25,7 +25,8 @@ function table = constrained_precision (scene, folder)
       parameters = 10.^(-2:-0.5:-4.5)*scene.duration;
     endif
     for parameter = parameters
-      row = struct ("method", method.name, "parameter", parameter, "error", NaN, "drift", NaN, "seconds", NaN, "calls", NaN, ...
+      row = struct ("method", method.name, "parameter", parameter, "error", NaN, "drift", NaN, "seconds", NaN, ...
+                    "calls", NaN, ...
                     "failure", "");
       try
         found = run (method.name, parameter);
@@ -38,7 +39,8 @@ function table = constrained_precision (scene, folder)
         row.failure = strtrim (err.message);
       end_try_catch
       table = [table, row];
-      printf ("  %-18s %-8.2g %8.2g m, drift %8.2g, %7.2f s, %6d calls %s\n", row.method, row.parameter, row.error, row.drift, ...
+      printf ("  %-18s %-8.2g %8.2g m, drift %8.2g, %7.2f s, %6d calls %s\n", row.method, row.parameter, row.error, ...
+              row.drift, ...
               row.seconds, row.calls, row.failure);
       if (! (row.seconds < 30))
         break;
@@ -71,7 +73,8 @@ function metres = distance_of (a, b)
 endfunction
 
 %!test # a short pendulum: every method comes near the reference
-%! scene = struct ("duration", 0.02, "bodies", {{struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1), "model", struct ("modes", [0 0]))}});
+%! scene = struct ("duration", 0.02, "bodies", {{struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1), ...
+%!                                                      "model", struct ("modes", [0 0]))}});
 %! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
 %! folder = tempname (); confirm_recursive_rmdir (false, "local");
 %! unwind_protect

@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{table} =} constrained_stability ()
 ## What the integrators of mechanisms do to constraints, for the table of @code{stability} (method, what, predicted,
-## measured): how Phi'' = 0 alone drifts with time, the limit of Baumgarte's terms in explicit steps, and the condition of the
-## matrix of Newton's iteration on index 3 as the step goes to 0, as it stands and scaled as @code{index3_alpha} takes it.
+## measured): how Phi'' = 0 alone drifts with time, the limit of Baumgarte's terms in explicit steps, and the condition
+## of the matrix of Newton's iteration on index 3 as the step goes to 0, as it stands and scaled as @code{index3_alpha}
+## takes it.
 ## @end deftypefn
 
 function table = constrained_stability ()

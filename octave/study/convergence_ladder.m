@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{table} =} convergence_ladder (@var{scene}, @var{folder})
-## The convergence of a mechanism or a curved rod in its modes: centrelines with N1 + N2 modes a rod against those with the
-## most, at a fiftieth of the scene's tolerance.  Prints a table, and leaves models.csv, models.svg and models.png in the
+## The convergence of a mechanism or a curved rod in its modes: centrelines with N1 + N2 modes a rod against those with
+## the most, at a fiftieth of the scene's tolerance.  Prints a table, and leaves models.csv, models.svg and models.png
+## in the
 ## @var{folder}; @var{table} is like that of @code{model_ladder}.
 ## @end deftypefn
 
@@ -17,9 +18,12 @@ function table = convergence_ladder (scene, folder)
     t = trials{k};
     error_m = distance (t, trials{end});
     label = sprintf ("%d+%d", sizes{k});
-    table = [table, struct("model", [label " modes"], "method", t.count.method, "error_m", error_m, "seconds", t.count.seconds, ...
-                           "calls", t.count.calls, "label", label, "stiffening", "none", "chosen", false, "extrapolated", false)];
-    printf ("  %-10s %10.3g m %8.2f s, tip of the last rod at the end %.8f %.8f m\n", label, error_m, t.count.seconds, ...
+    table = [table, struct("model", [label " modes"], "method", t.count.method, "error_m", error_m, ...
+                           "seconds", t.count.seconds, ...
+                           "calls", t.count.calls, "label", label, "stiffening", "none", "chosen", false, ...
+                           "extrapolated", false)];
+    printf ("  %-10s %10.3g m %8.2f s, tip of the last rod at the end %.8f %.8f m\n", label, error_m, ...
+            t.count.seconds, ...
             t.x(end,end), t.y(end,end));
   endfor
   publish_run (folder, {"models.csv", "models.svg", "models.png"}, @(aside) write_ladder (table, scene, aside));
@@ -45,7 +49,8 @@ function [trial, sizes, scene] = curved_trials (scene)
   scene.solver.tolerance = tolerance_in_metres (scene);
   fine = setfield (scene, "solver", "tolerance", scene.solver.tolerance/50);
   sizes = {[0 0], [1 2], [2 3], [3 5], [5 8], [8 12], [12 18], [18 27]};
-  trial = @(modes) trial_run (fine, setfield (rung_of_scene (setfield (scene, "model", "modes", modes)), "stiffening", "none"));
+  trial = @(modes) trial_run (fine, setfield (rung_of_scene (setfield (scene, "model", "modes", modes)), ...
+                                              "stiffening", "none"));
 endfunction
 
 %!test # more modes, a smaller error

@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{trial} =} exact_rod (@var{scene}, @var{modes})
 ## The top rung of the ladder of models: the geometrically exact rod, on the upright plane (see @code{surface_rod}), of
-## a checked scene of the hinged rod, in [@var{modes} @var{modes}] polynomials.  A struct of x and y (21-by-m, m), the centreline at the frame
-## times, and count.  Empty for a scene with what it has not: a hub, a force, a tip mass, damping, an initial
-## deformation.  It has no rotary inertia.
+## a checked scene of the hinged rod, in [@var{modes} @var{modes}] polynomials.  A struct of x and y (21-by-m, m), the
+## centreline at the frame times, and count.  Empty for a scene with what it has not: a hub, a force, a tip mass,
+## damping, an initial deformation.  It has no rotary inertia.
 ## @end deftypefn
 
 function trial = exact_rod (scene, modes)

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{system}, @var{scene}] =} free_rod (@var{modes}, @var{initial})
-## The paper's rod of so many sines, @var{modes} = [N1 N2], as a system (see @code{hinged_rod}) without weight and moment:
-## what studies of stability look at.  @var{initial} is a struct of fields of scene.initial.
+## The paper's rod of so many sines, @var{modes} = [N1 N2], as a system (see @code{hinged_rod}) without weight and
+## moment: what studies of stability look at.  @var{initial} is a struct of fields of scene.initial.
 ## @end deftypefn
 
 function [system, scene] = free_rod (modes, initial)

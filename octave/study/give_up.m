@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{value} =} give_up (@var{value}, @var{clock}, @var{seconds})
-## Let a @var{value} pass until so many @var{seconds} have gone since the @var{clock} (a tic): then it is an error of an
-## integration that takes too long for a study.
+## Let a @var{value} pass until so many @var{seconds} have gone since the @var{clock} (a tic): then it is an error of
+## an integration that takes too long for a study.
 ## @end deftypefn
 
 function value = give_up (value, clock, seconds)

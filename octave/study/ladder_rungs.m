@@ -1,14 +1,15 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{rungs} =} ladder_rungs (@var{chosen}, @var{richer})
-## The rungs of a ladder of models around the @var{chosen} one: up to as many bending modes as the @var{richer} rung has,
-## with and without foreshortening, then the treatments of longitudinal modes.
+## The rungs of a ladder of models around the @var{chosen} one: up to as many bending modes as the @var{richer} rung
+## has, with and without foreshortening, then the treatments of longitudinal modes.
 ## @end deftypefn
 
 function rungs = ladder_rungs (chosen, richer)
   rungs = {};
   for n = unique ([0:min(8, richer.bending), chosen.bending, richer.bending])
     for stiffening = {"none", "foreshortening"}(1:1 + (n > 0))
-      rungs{end+1} = struct ("sines", [], "bending", n, "longitudinal", 0, "axial", "none", "stiffening", stiffening{1});
+      rungs{end+1} = struct ("sines", [], "bending", n, "longitudinal", 0, ...
+                             "axial", "none", "stiffening", stiffening{1});
     endfor
   endfor
   with = @(axial, n) setfield (setfield (chosen, "axial", axial), "longitudinal", n);

@@ -1,15 +1,18 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{found} =} long_energy (@var{method}, @var{h_omega}, @var{periods})
-## The energy of the freely turning rod with one bending mode over so many @var{periods} of its free bending vibration, by a
-## @var{method} in steps h, h*omega = @var{h_omega}: a struct of periods (1-by-1001) and error (of the energy, as a part of it), slope
-## (per period, of a fitted line), slope_deviation (its standard deviation) and amplitude (largest deviation from the line).
+## The energy of the freely turning rod with one bending mode over so many @var{periods} of its free bending vibration,
+## by a
+## @var{method} in steps h, h*omega = @var{h_omega}: a struct of periods (1-by-1001) and error (of the energy, as a
+## part of it), slope (per period, of a fitted line), slope_deviation (its standard deviation) and amplitude (largest
+## deviation from the line).
 ## @end deftypefn
 
 function found = long_energy (method, h_omega, periods)
   system = free_rod ([0 1], struct ("phi_dot", 20, "V2", 2e-3));
   omega = highest_frequency (system);
   times = linspace (0, periods*2*pi/omega, 1001);
-  states = integrate (system, times, struct ("name", method, "tolerance", 1, "step", h_omega/omega, "rho_infinity", 1));
+  states = integrate (system, times, struct ("name", method, "tolerance", 1, "step", h_omega/omega, ...
+                                             "rho_infinity", 1));
   motion = system.motion (times, states);
   E = sum (system.energies (motion.phi, motion.phi_dot, motion.q, motion.q_dot), 1);
   found.periods = times*omega/(2*pi);

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{limit} =} measured_limit (@var{is_stable}, @var{predicted})
-## The number beyond which @var{is_stable} (number) is false, by bisection to a thousandth between half of the @var{predicted}
-## one and twice as much.
+## The number beyond which @var{is_stable} (number) is false, by bisection to a thousandth between half of the
+## @var{predicted} one and twice as much.
 ## @end deftypefn
 
 function limit = measured_limit (is_stable, predicted)

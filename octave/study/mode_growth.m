@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{factor} =} mode_growth (@var{solver}, @var{h_omega})
 ## By what a step multiplies the amplitude of the highest mode of the paper's rod with 7 + 7 modes, on the nonlinear
-## equations, in equal steps h of @var{solver} (see @code{integrate}), h*omega = @var{h_omega}: the mean of 200 steps after the first
-## 100.  The mode begins at 1 micrometre.  0 where nothing is
+## equations, in equal steps h of @var{solver} (see @code{integrate}), h*omega = @var{h_omega}: the mean of 200 steps
+## after the first 100.  The mode begins at 1 micrometre.  0 where nothing is
 ## left of it, NaN where the integration fails.
 ## @end deftypefn
 
@@ -18,7 +18,8 @@ function factor = mode_growth (solver, h_omega)
   system.duration = times(end);
   try
     states = integrate (system, times, solver);
-    amplitudes = hypot (x.'*system.mass*states(1:n,:), x.'*system.mass*(system.velocity_matrix \ states(n+1:2*n,:))/omega);
+    amplitudes = hypot (x.'*system.mass*states(1:n,:), ...
+                        x.'*system.mass*(system.velocity_matrix \ states(n+1:2*n,:))/omega);
     factor = 0;
     if (amplitudes(3) > 0)
       factor = (amplitudes(3)/amplitudes(2))^(1/200);

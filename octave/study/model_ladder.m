@@ -1,13 +1,13 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{table} =} model_ladder (@var{scene}, @var{option}, @var{value}, @dots{})
-## The ladder of models of a scene, error against cost: each rung's centreline against that of 30 bending + 30 longitudinal
-## modes with foreshortening.  Arguments as for @code{driver}.
+## The ladder of models of a scene, error against cost: each rung's centreline against that of 30 bending + 30
+## longitudinal modes with foreshortening.  Arguments as for @code{driver}.
 ##
 ## Leaves models.csv, models.svg and models.png in the folder of the scene's output.  @var{table} is a struct array of
-## model, method, error_m, seconds, calls, label (in the chart), stiffening, chosen and extrapolated.  The rungs are integrated by `exponential', the chosen
-## one by `ode45' too, and so are the paper's 7 + 7 sines, as they are: where that would take more than 4 million calls,
-## the seconds are extrapolated from a part of the duration, and there is no error.  Mechanisms and curved rods have a
-## ladder of numbers of modes, see @code{convergence_ladder}.
+## model, method, error_m, seconds, calls, label (in the chart), stiffening, chosen and extrapolated.  The rungs are
+## integrated by `exponential', the chosen one by `ode45' too, and so are the paper's 7 + 7 sines, as they are: where
+## that would take more than 4 million calls, the seconds are extrapolated from a part of the duration, and there is no
+## error. Mechanisms and curved rods have a ladder of numbers of modes, see @code{convergence_ladder}.
 ## @end deftypefn
 
 function table = model_ladder (scene = "paper", varargin)
@@ -27,16 +27,19 @@ function table = model_ladder (scene = "paper", varargin)
   chosen = choice.trial.rung;
   for rung = ladder_rungs (chosen, choice.reference.rung)
     trial = trial_run (scene, rung{1});
-    table = add (table, row_of (trial.rung, trial.count.method, distance (trial, reference), trial.count.seconds, trial.calls, chosen));
+    table = add (table, row_of (trial.rung, trial.count.method, distance (trial, reference), trial.count.seconds, ...
+                                trial.calls, chosen));
   endfor
-  sines = struct ("sines", [7 7], "bending", 7, "longitudinal", 7, "axial", "dynamic", "stiffening", chosen.stiffening);
+  sines = struct ("sines", [7 7], "bending", 7, "longitudinal", 7, ...
+                  "axial", "dynamic", "stiffening", chosen.stiffening);
   for rung = {chosen, sines}
     table = add (table, run_ode45 (scene, rung{1}, reference, chosen));
   endfor
   exact = exact_rod (scene, 10);
   if (! isempty (exact))
     row = row_of (chosen, exact.count.method, distance (exact, reference), exact.count.seconds, exact.count.calls, []);
-    table = add (table, setfield (setfield (row, "model", "geometrically exact, 10 + 10 polynomials"), "label", "exact"));
+    table = add (table, setfield (setfield (row, "model", "geometrically exact, 10 + 10 polynomials"), ...
+                                  "label", "exact"));
   endif
   publish_run (folder, {"models.csv", "models.svg", "models.png"}, @(aside) write_ladder (table, scene, aside));
   printf ("%s/ has models.csv, models.svg, models.png\n", folder);
@@ -55,7 +58,8 @@ function row = run_ode45 (scene, rung, reference, chosen)
   if (extrapolated)
     times = times(end)*[0, min(1, 2e5/expected)];
   endif
-  [states, count] = integrate (system, times, struct ("name", "ode45", "tolerance", scene.solver.tolerance/(1 + 3*system.turned)));
+  tolerance = scene.solver.tolerance/(1 + 3*system.turned);
+  [states, count] = integrate (system, times, struct ("name", "ode45", "tolerance", tolerance));
   if (extrapolated)
     factor = scene.duration/times(end);
     row = row_of (rung, "ode45", NaN, count.seconds*factor, round (count.calls*factor), chosen);
@@ -67,13 +71,16 @@ function row = run_ode45 (scene, rung, reference, chosen)
 endfunction
 
 function row = row_of (rung, method, error_m, seconds, calls, chosen)
-  row = struct ("model", rung_name (rung), "method", method, "error_m", error_m, "seconds", seconds, "calls", calls, ...
-                "label", rung_label (rung), "stiffening", rung.stiffening, "chosen", isequal (rung, chosen), "extrapolated", false);
+  row = struct ("model", rung_name (rung), "method", method, "error_m", error_m, "seconds", seconds, ...
+                "calls", calls, ...
+                "label", rung_label (rung), "stiffening", rung.stiffening, "chosen", isequal (rung, chosen), ...
+                "extrapolated", false);
 endfunction
 
 function table = add (table, row)
   table = [table, row];
-  printf ("  %-62s %-11s %8.2g m %8.2f s %8d calls%s\n", row.model, row.method, row.error_m, row.seconds, row.calls, ...
+  printf ("  %-62s %-11s %8.2g m %8.2f s %8d calls%s\n", row.model, row.method, row.error_m, row.seconds, ...
+          row.calls, ...
           {"", " <-"}{1 + row.chosen});
 endfunction
 

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} random_scene (@var{seed})
-## A scene drawn at random: lengths from 0.2 to 5 m, slenderness from 20 to 500, steel to rubber-like stiffness, a pulse or
-## a step of the moment, an initial state, with or without damping.  The moment is scaled to the rod, and gravity is less than
-## the earth's where it would bend the rod too far for small slopes.
+## A scene drawn at random: lengths from 0.2 to 5 m, slenderness from 20 to 500, steel to rubber-like stiffness, a
+## pulse or a step of the moment, an initial state, with or without damping.  The moment is scaled to the rod, and
+## gravity is less than the earth's where it would bend the rod too far for small slopes.
 ## @end deftypefn
 
 function scene = random_scene (seed)

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{label} =} rung_label (@var{rung})
-## What a @var{rung} is called in a chart: bending modes, with q where longitudinal ones are quasi-static, + their number
-## where they are dynamic.
+## What a @var{rung} is called in a chart: bending modes, with q where longitudinal ones are quasi-static, + their
+## number where they are dynamic.
 ## @end deftypefn
 
 function label = rung_label (rung)

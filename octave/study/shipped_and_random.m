@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scenes} =} shipped_and_random (@var{n})
-## The names of all scenes of the hinged rod in octave/scenes/ and the seeds 1 to @var{n} of @code{random_scene}, as a cell array.
+## The names of all scenes of the hinged rod in octave/scenes/ and the seeds 1 to @var{n} of @code{random_scene}, as a
+## cell array.
 ## @end deftypefn
 
 function scenes = shipped_and_random (n)

@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{ratio} =} spin_instability (@var{sines})
-## The rate of rotation at which the hinged rod of so many bending @var{sines}, without foreshortening, turns unstable, over
-## the first frequency omega_1 of the simply supported rod.  The motion of a deflection of a nanometre grows as
-## exp (sigma t) there, sigma^2 is linear in the square of the rate, and the line through three such is followed to sigma = 0.
+## The rate of rotation at which the hinged rod of so many bending @var{sines}, without foreshortening, turns unstable,
+## over the first frequency omega_1 of the simply supported rod.  The motion of a deflection of a nanometre grows as
+## exp (sigma t) there, sigma^2 is linear in the square of the rate, and the line through three such is followed to
+## sigma = 0.
 ## @end deftypefn
 
 function ratio = spin_instability (sines)

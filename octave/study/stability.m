@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{table} =} stability (@var{folder})
-## Where the integrators and the model itself turn unstable, predicted and measured on the nonlinear equations of the paper's
-## rod, and what happens there: stability.csv, stability.svg and stability.png in the @var{folder} (default
+## Where the integrators and the model itself turn unstable, predicted and measured on the nonlinear equations of the
+## paper's rod, and what happens there: stability.csv, stability.svg and stability.png in the @var{folder} (default
 ## output/stability).  It takes some 15 minutes, most of them the energy over 1e5 periods.
 ##
 ## @var{table} is a struct array of method, what, predicted and measured.
@@ -11,12 +11,15 @@ function table = stability (folder = fullfile ("output", "stability"))
   table = struct ([]);
   for method = {"rk4", "stormer_verlet", "ode45", "ode23"}
     limit = stability_limit (method{1});
-    table = add (table, method{1}, "limit of h omega", limit, measured_limit (@(h_omega) growth (method{1}, h_omega) <= 1 + 1e-7, limit));
-    table = add (table, method{1}, "growth a step, 5 % beyond", beyond (method{1}, 1.05*limit), growth (method{1}, 1.05*limit));
+    table = add (table, method{1}, "limit of h omega", limit, ...
+                 measured_limit (@(h_omega) growth (method{1}, h_omega) <= 1 + 1e-7, limit));
+    table = add (table, method{1}, "growth a step, 5 % beyond", beyond (method{1}, 1.05*limit), ...
+                 growth (method{1}, 1.05*limit));
   endfor
   table = add (table, "implicit_midpoint", "growth a step, h omega 1e4", 1, growth ("implicit_midpoint", 1e4));
   for order = 1:2
-    table = add (table, sprintf ("lsode_bdf, order %d", order), "growth a step, h omega 1e4", 0, growth ("lsode_bdf", 1e4, "order", order));
+    table = add (table, sprintf ("lsode_bdf, order %d", order), "growth a step, h omega 1e4", 0, ...
+                 growth ("lsode_bdf", 1e4, "order", order));
   endfor
   rhos = [0.2 0.4 0.6 0.8 1];
   for rho = rhos
@@ -28,15 +31,18 @@ function table = stability (folder = fullfile ("output", "stability"))
   pictures.damping = [rhos; [table(strcmp ({table.method}, "generalized_alpha")).measured]].';
   for method = {"ode45", "ode23"}
     pictures.([method{1} "_wall"]) = wall = step_wall (method{1}, 10.^(1:-1:-7));
-    table = add (table, method{1}, "largest mean h omega at any tolerance", stability_limit (method{1}), max (wall(:,2)));
+    table = add (table, method{1}, "largest mean h omega at any tolerance", stability_limit (method{1}), ...
+                 max (wall(:,2)));
   endfor
   pictures.resonances = resonances (sort ([0.25:0.25:9.75, reshape(pi*(1:3) + (-0.2:0.04:0.2).', 1, [])]));
   for k = 1:3
-    table = add (table, "trigonometric", sprintf ("h omega of energy error's peak near %d pi", k), k*pi, peak_near (pictures.resonances, k*pi));
+    table = add (table, "trigonometric", sprintf ("h omega of energy error's peak near %d pi", k), k*pi, ...
+                 peak_near (pictures.resonances, k*pi));
   endfor
   [table, pictures] = energies (table, pictures);
   table = [table, constrained_stability()];
-  publish_run (folder, {"stability.csv", "stability.svg", "stability.png"}, @(aside) write_stability (table, pictures, aside));
+  publish_run (folder, {"stability.csv", "stability.svg", "stability.png"}, ...
+               @(aside) write_stability (table, pictures, aside));
   printf ("%s/ has stability.csv, stability.svg, stability.png\n", folder);
 endfunction
 
@@ -47,11 +53,14 @@ function [table, pictures] = energies (table, pictures)
     [method, h_omega, periods] = run{:};
     found = long_energy (method, h_omega, periods);
     pictures.(method) = [found.periods; found.error].';
-    table = add (table, method, sprintf ("slope of the energy's line over %g periods, in its deviations", periods), 0, ...
+    table = add (table, method, sprintf ("slope of the energy's line over %g periods, in its deviations", periods), ...
+                 0, ...
                  found.slope/found.slope_deviation);
-    table = add (table, method, sprintf ("amplitude of the energy's error, h omega %g", h_omega), NaN, found.amplitude);
+    table = add (table, method, sprintf ("amplitude of the energy's error, h omega %g", h_omega), NaN, ...
+                 found.amplitude);
     amplitude = @(h) long_energy (method, h, 50).amplitude;
-    table = add (table, method, "order of that amplitude, h omega 0.2 to 0.1", 2, log2 (amplitude (0.2)/amplitude (0.1)));
+    table = add (table, method, "order of that amplitude, h omega 0.2 to 0.1", 2, ...
+                 log2 (amplitude (0.2)/amplitude (0.1)));
   endfor
 endfunction
 

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{wall} =} step_wall (@var{method}, @var{tolerances})
-## The mean step times the highest frequency that the adaptive explicit @var{method} takes on the paper's rod with 7 + 7
-## modes at @var{tolerances} (m), rows of [tolerance, h*omega, largest error of a coordinate in m].
+## The mean step times the highest frequency that the adaptive explicit @var{method} takes on the paper's rod with 7 +
+## 7 modes at @var{tolerances} (m), rows of [tolerance, h*omega, largest error of a coordinate in m].
 ## It cannot pass the limit of stability, however loose the tolerance.
 ## @end deftypefn
 

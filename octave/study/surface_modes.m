@@ -1,11 +1,13 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{table} =} surface_modes (@var{scenes}, @var{numbers}, @var{folder})
-## Convergence in modes of the @var{scenes} (names) of rods on surfaces, over their first 0.3 s: the largest distance (m) of a
-## centreline point in any frame between runs of n and of the last of the @var{numbers} of polynomials, for each n before.
-## Leaves surface_modes.csv, .svg and .png in the @var{folder} (default output); @var{table} is a row a scene.
+## Convergence in modes of the @var{scenes} (names) of rods on surfaces, over their first 0.3 s: the largest distance
+## (m) of a centreline point in any frame between runs of n and of the last of the @var{numbers} of polynomials, for
+## each n before. Leaves surface_modes.csv, .svg and .png in the @var{folder} (default output); @var{table} is a row a
+## scene.
 ## @end deftypefn
 
-function table = surface_modes (scenes = {"large_swing", "cylinder", "bowl", "saddle"}, numbers = [4 6 8 10 12 14], folder = "output")
+function table = surface_modes (scenes = {"large_swing", "cylinder", "bowl", "saddle"}, numbers = [4 6 8 10 12 14], ...
+                                folder = "output")
   for i = 1:numel (scenes)
     scene = feval (scenes{i});
     scene.duration = min (scene.duration, 0.3);
@@ -16,7 +18,8 @@ function table = surface_modes (scenes = {"large_swing", "cylinder", "bowl", "sa
     table(i,:) = cellfun (@(history) apart (history, histories{end}), histories(1:end-1));
     printf ("%-12s%s\n", scenes{i}, sprintf ("%10.2g", table(i,:)));
   endfor
-  publish_run (folder, strcat ("surface_modes", {".csv", ".svg", ".png"}), @(aside) write (table, scenes, numbers(1:end-1), aside));
+  publish_run (folder, strcat ("surface_modes", {".csv", ".svg", ".png"}), ...
+               @(aside) write (table, scenes, numbers(1:end-1), aside));
 endfunction
 
 function off = apart (a, b)
@@ -25,7 +28,8 @@ endfunction
 
 function write (table, scenes, numbers, folder)
   header = ["scene," strjoin(arrayfun (@(n) sprintf ("%d modes [m]", n), numbers, "uniformoutput", false), ",")];
-  lines = cellfun (@(name, k) [name sprintf(",%.17g", table(k,:))], scenes, num2cell (1:numel (scenes)), "uniformoutput", false);
+  lines = cellfun (@(name, k) [name sprintf(",%.17g", table(k,:))], scenes, num2cell (1:numel (scenes)), ...
+                   "uniformoutput", false);
   write_text (fullfile (folder, "surface_modes.csv"), [strjoin([header, lines], "\n") "\n"]);
   scratch = fullfile (folder, "scratch");
   mkdir (scratch);

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} verify_choices (@var{scenes})
-## Compare the model that each of the @var{scenes} (names, or seeds of @code{random_scene}, in a cell array) gets with 30
-## bending + 30 longitudinal modes and foreshortening, integrated fifty times finer: the true error against the
+## Compare the model that each of the @var{scenes} (names, or seeds of @code{random_scene}, in a cell array) gets with
+## 30 bending + 30 longitudinal modes and foreshortening, integrated fifty times finer: the true error against the
 ## tolerance and against the estimate, and that of the next smaller rungs.  Prints `ok' or `not ok', a line a scene.
 ## @end deftypefn
 
@@ -32,9 +32,12 @@ function verify_choice (which)
     endif
   endfor
   ratio = choice.error/max (true_error, realmin);
-  within = true_error <= tolerance && smaller > 0.95*tolerance && ((ratio >= 0.3 && ratio <= 10) || true_error < tolerance/20);
-  printf ("%s %s: %s, error %.3g of the tolerance, estimate/error %.2f, next smaller rung %.3g; reference %.0f s\n", ...
-          {"not ok", "ok"}{1 + within}, name, rung_name (choice.trial.rung), true_error/tolerance, ratio, smaller/tolerance, toc (start));
+  within = true_error <= tolerance && smaller > 0.95*tolerance && ...
+      ((ratio >= 0.3 && ratio <= 10) || true_error < tolerance/20);
+  printf (["%s %s: %s, error %.3g of the tolerance, estimate/error %.2f, next smaller rung %.3g;" ...
+           " reference %.0f s\n"], ...
+          {"not ok", "ok"}{1 + within}, name, rung_name (choice.trial.rung), true_error/tolerance, ratio, ...
+          smaller/tolerance, toc (start));
 endfunction
 
 %!test # the rod that swings

@@ -1,14 +1,16 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{table} =} work_precision (@var{scene}, @var{option}, @var{value}, @dots{})
-## The work-precision diagram of all integrators on a scene (of several bodies: see @code{constrained_precision}) with the paper's sines (7 + 7 without the option "modes"):
-## the errors of tip and hinge angle over all frames against seconds (medians) and calls of the rate, and the ladder of
-## models and the cost against the number of modes beside them.  Arguments as for @code{driver}.
+## The work-precision diagram of all integrators on a scene (of several bodies: see @code{constrained_precision}) with
+## the paper's sines (7 + 7 without the option "modes"): the errors of tip and hinge angle over all frames against
+## seconds (medians) and calls of the rate, and the ladder of models and the cost against the number of modes beside
+## them. Arguments as for @code{driver}.
 ##
 ## The reference is `waveform' at 1e-10 m, and `exponential' has to agree with it to 1e-10.  What would take more than
-## 20 s (but for ode45 at 1e-6 m) is run on a part of the duration, with its error there: extrapolated; what then takes ten
-## times as long is given up.  The literal equations, the paper's way, have the calls of ode45 at the price of a literal
-## call.  Leaves chart.csv, cost.csv (of @code{cost_of_size}), chart.svg and chart.png; @var{table} is a struct array of
-## method, parameter (tolerance in m, or step in s), tip_error, phi_error (m, rad), seconds, calls, extrapolated, failure.
+## 20 s (but for ode45 at 1e-6 m) is run on a part of the duration, with its error there: extrapolated; what then takes
+## ten times as long is given up.  The literal equations, the paper's way, have the calls of ode45 at the price of a
+## literal call.  Leaves chart.csv, cost.csv (of @code{cost_of_size}), chart.svg and chart.png; @var{table} is a struct
+## array of method, parameter (tolerance in m, or step in s), tip_error, phi_error (m, rad), seconds, calls,
+## extrapolated, failure.
 ## @end deftypefn
 
 function table = work_precision (scene = "paper", varargin)
@@ -52,7 +54,8 @@ endfunction
 
 function reference = reference_run (scene, model, system)
   times = frame_times (scene);
-  at = @(name, tolerance) measure (system, model, times, integrate (system, times, struct ("name", name, "tolerance", tolerance)));
+  states = @(name, tolerance) integrate (system, times, struct ("name", name, "tolerance", tolerance));
+  at = @(name, tolerance) measure (system, model, times, states (name, tolerance));
   [reference, other] = deal (at ("waveform", 1e-10), at ("exponential", 2e-11));
   [tip, phi] = errors (other, reference);
   printf ("  reference: waveform and exponential differ by %.2g m and %.2g rad\n", tip, phi);
@@ -138,7 +141,8 @@ function rows = literal_rows (scene, table)
 endfunction
 
 function report (row)
-  printf ("  %-18s %-7.2g tip %8.2g m, phi %8.2g rad, %8.2f s, %9d calls%s %s\n", row.method, row.parameter, row.tip_error, ...
+  printf ("  %-18s %-7.2g tip %8.2g m, phi %8.2g rad, %8.2f s, %9d calls%s %s\n", row.method, row.parameter, ...
+          row.tip_error, ...
           row.phi_error, row.seconds, row.calls, {"", " (extrapolated)"}{1 + row.extrapolated}, row.failure);
   fflush (stdout);
 endfunction

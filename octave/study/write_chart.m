@@ -11,7 +11,8 @@ function write_chart (table, ladder, cost, scene, folder)
                             row.phi_error, row.seconds, row.calls, row.extrapolated, row.failure);
   endfor
   write_text (fullfile (folder, "chart.csv"), [strjoin(lines, "\n") "\n"]);
-  write_text (fullfile (folder, "cost.csv"), ["modes N + N,seconds per simulated second,calls per simulated second\n", ...
+  write_text (fullfile (folder, "cost.csv"), ...
+              ["modes N + N,seconds per simulated second,calls per simulated second\n", ...
                                               sprintf("%d,%.17g,%.17g\n", cost.')]);
 
   scratch = fullfile (folder, "scratch");
@@ -22,12 +23,14 @@ function write_chart (table, ladder, cost, scene, folder)
   for k = 1:numel (methods)
     of_method = table(strcmp ({table.method}, methods{k}));
     failed = ! cellfun (@isempty, {of_method.failure});
-    text = [text, block(sprintf ("curve_%d", k), of_method(! failed)), block(sprintf ("part_%d", k), of_method([of_method.extrapolated] & ! failed)), ...
+    text = [text, block(sprintf ("curve_%d", k), of_method(! failed)), ...
+            block(sprintf ("part_%d", k), of_method([of_method.extrapolated] & ! failed)), ...
             block(sprintf ("failed_%d", k), of_method(failed))];
   endfor
   rows = ladder([ladder.error_m] > 0 & isfinite ([ladder.error_m]));
   chosen = rows([rows.chosen]);
-  write_text (fullfile (scratch, "settings.gp"), [text, gnuplot_block("cost", {cost}), ladder_block("ladder", rows), ladder_block("chosen", chosen)]);
+  write_text (fullfile (scratch, "settings.gp"), [text, gnuplot_block("cost", {cost}), ...
+                                                  ladder_block("ladder", rows), ladder_block("chosen", chosen)]);
   finish_tool (start_gnuplot (scratch, "chart.gp"));
   confirm_recursive_rmdir (false, "local");
   rmdir (scratch, "s");
@@ -61,10 +64,13 @@ endfunction
 %!test # a curve, a part of one and a failure
 %! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
 %! unwind_protect
-%!   row = struct ("method", "rk4", "parameter", {1e-3 1e-4 1e-5}, "tip_error", {1e-3 1e-5 NaN}, "phi_error", {1e-4 1e-5 NaN}, ...
-%!                 "seconds", {1 2 3}, "calls", {10 20 30}, "extrapolated", {false true false}, "failure", {"", "", "rk4 stopped"});
+%!   row = struct ("method", "rk4", "parameter", {1e-3 1e-4 1e-5}, "tip_error", {1e-3 1e-5 NaN}, ...
+%!                 "phi_error", {1e-4 1e-5 NaN}, ...
+%!                 "seconds", {1 2 3}, "calls", {10 20 30}, "extrapolated", {false true false}, ...
+%!                 "failure", {"", "", "rk4 stopped"});
 %!   ladder = struct ("label", "3", "error_m", 1e-3, "seconds", 2, "chosen", true);
-%!   write_chart (row, ladder, [2 0.1 100; 4 0.3 200], struct ("title", "rod", "model", struct ("modes", [7 7])), folder);
+%!   write_chart (row, ladder, [2 0.1 100; 4 0.3 200], struct ("title", "rod", "model", struct ("modes", [7 7])), ...
+%!                folder);
 %!   assert (sort ({dir(folder).name}), {".", "..", "chart.csv", "chart.png", "chart.svg", "cost.csv"});
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");

@@ -27,7 +27,8 @@ function scene = check_surface_scene (given)
   endif
   if (! isfield (scene.surface, "side"))
     scene.surface.side = 1;
-  elseif (! any (isequal (scene.surface.side, 1) || isequal (scene.surface.side, -1) || isequal (scene.surface.side, 0)))
+  elseif (! any (isequal (scene.surface.side, 1) || isequal (scene.surface.side, -1) || ...
+                 isequal (scene.surface.side, 0)))
     scene_error ("surface.side is not 1, -1 or 0: the side of the normal, the other, or both");
   endif
   scene.moment_breaks = unique (scene.moment_breaks(:).');
@@ -101,7 +102,8 @@ endfunction
 %!error <colour is not a field of a scene on a surface> check_surface_scene (setfield (smallest (), "colour", 1))
 %!error <ends is a 1-by-1 cell: it takes two of "free", "hinge" and "clamped">
 %! check_surface_scene (setfield (smallest (), "ends", {"free"}))
-%!error <model.modes is 2   2: it takes two numbers> check_surface_scene (setfield (smallest (), "model", "modes", [2 2]))
+%!error <model.modes is 2   2: it takes two numbers>
+%! check_surface_scene (setfield (smallest (), "model", "modes", [2 2]))
 %!error <force gives 3 at t = 0: it takes 3 numbers> check_surface_scene (setfield (smallest (), "force", @(t) 3))
 %!error <tip_moment fails at t = 0: no> check_surface_scene (setfield (smallest (), "tip_moment", @(t) error ("no")))
 %!error <surface.side is not 1, -1 or 0> check_surface_scene (setfield (smallest (), "surface", "side", 2))

@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{c} =} collocation (@var{s})
-## The collocation method at the @var{s} points of Gauss (Butcher, Math. Comp. 18, 1964; order 2s, symplectic and stable
-## for every oscillation): a struct of points (s-by-1), A (s-by-s, integrals of the polynomials to the points), AA = A*A,
-## weights, second_weights (of the second integral, 1-by-s) and onward (s-by-s: values at the next step's points).
+## The collocation method at the @var{s} points of Gauss (Butcher, Math. Comp. 18, 1964; order 2s, symplectic and
+## stable for every oscillation): a struct of points (s-by-1), A (s-by-s, integrals of the polynomials to the points),
+## AA = A*A, weights, second_weights (of the second integral, 1-by-s) and onward (s-by-s: values at the next step's
+## points).
 ## @end deftypefn
 
 function c = collocation (s)

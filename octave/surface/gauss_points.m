@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{x}, @var{weights}] =} gauss_points (@var{n})
-## The @var{n} points and weights (n-by-1) of Gauss and Legendre on [0, 1], by the eigenvalues of the recurrence's matrix
-## (Golub and Welsch, Math. Comp. 23, 1969).
+## The @var{n} points and weights (n-by-1) of Gauss and Legendre on [0, 1], by the eigenvalues of the recurrence's
+## matrix (Golub and Welsch, Math. Comp. 23, 1969).
 ## @end deftypefn
 
 function [x, weights] = gauss_points (n)

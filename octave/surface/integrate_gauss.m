@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{states}, @var{count}] =} integrate_gauss (@var{system}, @var{times}, @var{solver})
-## The states (n-by-m) of a rod on a surface (see @code{surface_rod}) at the @var{times} (1-by-m, s) by collocation at four
-## points of Gauss: order 8, symplectic in its canonical coordinates, stable for the stiffest bending and stretching.
+## The states (n-by-m) of a rod on a surface (see @code{surface_rod}) at the @var{times} (1-by-m, s) by collocation at
+## four points of Gauss: order 8, symplectic in its canonical coordinates, stable for the stiffest bending and
+## stretching.
 ##
 ## Between two times, and between breaks of the loads, as many equal steps are taken, doubled again and again, as bring
 ## the last doubling's change of place within @var{solver}.tolerance (m), and the energy balance within 3e-9.
@@ -24,7 +25,8 @@ function [states, count] = integrate_gauss (system, times, solver)
     do
       m = 2*pieces;
       if (m > 2^13)
-        stop_integration ("gauss", system, interval(1), times(end), diff (interval)/m, "its steps shrank to nothing", ...
+        stop_integration ("gauss", system, interval(1), times(end), diff (interval)/m, ...
+                          "its steps shrank to nothing", ...
                           sprintf ("a larger tolerance than %.2g m", solver.tolerance));
       endif
       fine = march (system, method, interval, y, m);
@@ -38,7 +40,8 @@ function [states, count] = integrate_gauss (system, times, solver)
     m = m/(1 + (error < solver.tolerance/2^9 && m > 2));
     y = fine;
     everywhere = linspace (0, sum (system.weights), 501).';
-    refuse_singular (system.surface, system.fields (y(1:n), y(1:n), y(1:n), everywhere), sprintf ("at t = %.4g s", interval(2)));
+    refuse_singular (system.surface, system.fields (y(1:n), y(1:n), y(1:n), everywhere), ...
+                     sprintf ("at t = %.4g s", interval(2)));
     states(:,abs (times - interval(2)) < 1e-12*times(end)) = y;
   endfor
   count = struct ("method", "gauss", "steps", steps, "calls", watch_rate (), "seconds", toc (start));

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{alpha} =} laid_geodesic (@var{surface}, @var{point}, @var{angle}, @var{stations})
 ## The chart's coordinates (2-by-m) of a rod that lies unstretched on a geodesic of the @var{surface} (see
-## @code{surface_functions}) at its @var{stations} (1-by-m, m, ascending from 0): from the @var{point} (2 coordinates) at
-## the @var{angle} (rad) from the chart's first direction to its second.
+## @code{surface_functions}) at its @var{stations} (1-by-m, m, ascending from 0): from the @var{point} (2 coordinates)
+## at the @var{angle} (rad) from the chart's first direction to its second.
 ## @end deftypefn
 
 function alpha = laid_geodesic (surface, point, angle, stations)

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{history} =} measure_surface (@var{system}, @var{scene}, @var{times}, @var{states})
-## What is observed of a rod on a surface at the @var{times} (1-by-m): t, tip (3-by-m, m), q (N-by-m) with q_names, T, U, Z,
-## W, D (0) and balance (J), angular_momentum about the origin (3-by-m), reaction (p-by-m, N/m, see
+## What is observed of a rod on a surface at the @var{times} (1-by-m): t, tip (3-by-m, m), q (N-by-m) with q_names, T,
+## U, Z, W, D (0) and balance (J), angular_momentum about the origin (3-by-m), reaction (p-by-m, N/m, see
 ## @code{normal_reaction}), and the centreline x, y, z (101-by-m, m) with the unit normals n_1, n_2, n_3 there.
 ## @end deftypefn
 

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{place} =} place_rod (@var{scene}, @var{surface})
 ## Where the rod of a checked scene starts, and how it may move from there: a struct of start and velocity (N-by-1, the
-## coefficients q of the chart's coordinates in polynomials of Legendre and their rates), and basis (N-by-n, orthonormal
-## directions that the ends leave free).
+## coefficients q of the chart's coordinates in polynomials of Legendre and their rates), and basis (N-by-n,
+## orthonormal directions that the ends leave free).
 ## @end deftypefn
 
 function place = place_rod (scene, surface)
@@ -32,7 +32,8 @@ function place = place_rod (scene, surface)
   endif
   place.velocity = zeros (size (q));
   if (! isempty (scene.initial.velocity))
-    velocity = projected (values_of (scene.initial.velocity, "initial.velocity", numel (xi), xi, alpha(:,2:end-1)), x, weights, modes);
+    velocity = projected (values_of (scene.initial.velocity, "initial.velocity", numel (xi), xi, alpha(:,2:end-1)), ...
+                          x, weights, modes);
     place.velocity = place.basis*(place.basis.'*velocity);
   endif
 endfunction

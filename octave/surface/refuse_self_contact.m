@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} refuse_self_contact (@var{history}, @var{scene})
-## An error where two points of the rod, further apart along it than twice its height, come nearer in space than its height
-## (2*half_height): the model lets a rod pass through itself.
+## An error where two points of the rod, further apart along it than twice its height, come nearer in space than its
+## height (2*half_height): the model lets a rod pass through itself.
 ## @end deftypefn
 
 function refuse_self_contact (history, scene)
@@ -11,10 +11,12 @@ function refuse_self_contact (history, scene)
   [i, j] = find (triu (ones (p), ceil (2*height/spacing) + 2));
   near = max (height, 0.75*spacing)^2;
   for k = 1:numel (history.t)
-    far = (history.x(i,k) - history.x(j,k)).^2 + (history.y(i,k) - history.y(j,k)).^2 + (history.z(i,k) - history.z(j,k)).^2;
+    far = (history.x(i,k) - history.x(j,k)).^2 + (history.y(i,k) - history.y(j,k)).^2 + ...
+        (history.z(i,k) - history.z(j,k)).^2;
     [least, at] = min (far);
     if (least < near)
-      error ("toolchain:integration", ["the rod touches itself at t = %.4g s, %.3g m and %.3g m along it: contact of the rod" ...
+      error ("toolchain:integration", ...
+             ["the rod touches itself at t = %.4g s, %.3g m and %.3g m along it: contact of the rod" ...
              " with itself is not modelled; take a stiffer rod, a shorter time or another start\n"], ...
              history.t(k), (i(at) - 1)*spacing, (j(at) - 1)*spacing);
     endif

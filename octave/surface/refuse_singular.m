@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} refuse_singular (@var{surface}, @var{fields}, @var{when})
-## An error where the rod lies on or across a point at which the surface's chart is singular, or has left the chart: the
-## determinant of the first fundamental form vanishes beside its largest on the rod, is no positive number, or the normal
-## turns round between two points.  @var{fields} as from @code{surface_rod}, p points of the rod by m times, @var{when} a text.
+## An error where the rod lies on or across a point at which the surface's chart is singular, or has left the chart:
+## the determinant of the first fundamental form vanishes beside its largest on the rod, is no positive number, or the
+## normal turns round between two points.  @var{fields} as from @code{surface_rod}, p points of the rod by m times,
+## @var{when} a text.
 ## @end deftypefn
 
 function refuse_singular (surface, fields, when)
@@ -14,7 +15,8 @@ function refuse_singular (surface, fields, when)
   turned = n_1(1:end-1,:).*n_1(2:end,:) + n_2(1:end-1,:).*n_2(2:end,:) + n_3(1:end-1,:).*n_3(2:end,:) < 0;
   if (any (turned(:)) || any (vec (determinant <= 1e-4*max (determinant, [], 1))))
     [~, k] = min (min (determinant, [], 2));
-    error ("toolchain:integration", ["the rod meets a point %s where the surface's chart is singular, near alpha = (%.3g, %.3g)" ...
+    error ("toolchain:integration", ...
+           ["the rod meets a point %s where the surface's chart is singular, near alpha = (%.3g, %.3g)" ...
            "%s\n"], when, fields{1}(k,1), fields{2}(k,1), remedy);
   endif
 endfunction

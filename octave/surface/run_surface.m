@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{history}, @var{count}] =} run_surface (@var{system}, @var{scene})
-## The motion of the rod of @code{surface_rod} at the frame times (see @code{measure_surface}), by the scene's solver, and the
-## count of @code{integrate}.  A rod that touches itself and an energy balance that is lost are errors.
+## The motion of the rod of @code{surface_rod} at the frame times (see @code{measure_surface}), by the scene's solver,
+## and the count of @code{integrate}.  A rod that touches itself and an energy balance that is lost are errors.
 ## @end deftypefn
 
 function [history, count] = run_surface (system, scene)
@@ -19,5 +19,6 @@ endfunction
 %!test # two ways through time
 %! scene = check_surface_scene (setfield (setfield (large_swing (), "duration", 0.1), "model", "modes", [4 4]));
 %! system = surface_rod (scene);
-%! tip = @(name, tolerance) run_surface (system, setfield (scene, "solver", struct ("name", name, "tolerance", tolerance))).tip(:,end);
+%! by = @(name, tolerance) setfield (scene, "solver", struct ("name", name, "tolerance", tolerance));
+%! tip = @(name, tolerance) run_surface (system, by (name, tolerance)).tip(:,end);
 %! assert (tip ("auto", 1e-9), tip ("lsode_bdf", 1e-7), 1e-6);

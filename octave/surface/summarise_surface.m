@@ -33,28 +33,32 @@ function warnings = pull_warning (history, scene)
   [least, k] = min (min (push, [], 1));
   if (least < -1e-6*max (abs (push(:))))
     first = find (min (push, [], 1) < -1e-6*max (abs (push(:))), 1);
-    warnings = {sprintf(["the surface would have to pull the rod from t = %.4g s on, by up to %.3g N/m at t = %.4g s: a rod on one" ...
-                         " side would lift off there; surface.side = 0 has a rod that cannot"], history.t(first), -least, history.t(k))};
+    warnings = {sprintf(["the surface would have to pull the rod from t = %.4g s on, by up to %.3g N/m at" ...
+                         " t = %.4g s: a rod on one side would lift off there; surface.side = 0 has a rod that cannot"], ...
+                        history.t(first), -least, history.t(k))};
   endif
 endfunction
 
 function warnings = strain_warning (strain)
   warnings = {};
   if (strain > 0.05)
-    warnings = {sprintf("the axial strain reaches %.2g, linear elasticity holds for small ones: take a larger EA", strain)};
+    warnings = {sprintf("the axial strain reaches %.2g, linear elasticity holds for small ones: take a larger EA", ...
+                        strain)};
   endif
 endfunction
 
 function warnings = balance_warning (summary)
   warnings = {};
   if (summary.largest_energy_error > 1e-7)
-    warnings = {sprintf("the energy balance is off by %.1g of the largest energy: take a smaller tolerance", summary.largest_energy_error)};
+    warnings = {sprintf("the energy balance is off by %.1g of the largest energy: take a smaller tolerance", ...
+                        summary.largest_energy_error)};
   endif
 endfunction
 
 %!test # a rod flung over a hill would lift off
 %! scene = struct ("surface", struct ("name", "sphere", "radius", 1, "side", -1), "duration", 0.02, ...
-%!                 "rod", struct ("length", 0.1, "EA", 3e3, "EI", 0.1, "EI_normal", 0, "rhoA", 1.5), "model", struct ("modes", [4 4]));
+%!                 "rod", struct ("length", 0.1, "EA", 3e3, "EI", 0.1, "EI_normal", 0, "rhoA", 1.5), ...
+%!                 "model", struct ("modes", [4 4]));
 %! scene.initial.velocity = @(xi, alpha) [0.2 + 0*xi; 0*xi];
 %! result = driver (scene, "output", "");
 %! assert (! isempty (strfind (result.summary.warnings{1}, "would have to pull the rod from t = 0 s on")));

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{Phi} =} surface_constraints (@var{ends}, @var{modes}, @var{length}, @var{slope})
 ## The linear constraints Phi*q = constant (c-by-N) that the @var{ends} (see @code{surface_scene_fields}) put on the
-## coefficients q of a rod's @var{modes} [N1 N2]: its point stays at a hinge, and where it is clamped also the direction of
-## the chart's @var{slope} (2-by-2, a column an end).
+## coefficients q of a rod's @var{modes} [N1 N2]: its point stays at a hinge, and where it is clamped also the
+## direction of the chart's @var{slope} (2-by-2, a column an end).
 ## @end deftypefn
 
 function Phi = surface_constraints (ends, modes, length, slope)

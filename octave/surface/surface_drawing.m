@@ -12,14 +12,17 @@ function drawing = surface_drawing (system, scene, history)
                     "moment", zeros (1, frames), "moment_breaks", scene.moment_breaks);
   ## A little towards the rod's side of the surface, which would hide it.
   lift = scene.rod.half_height*(scene.surface.side + (scene.surface.side == 0));
-  rod = struct ("x", history.x + lift*history.n_1, "y", history.y + lift*history.n_2, "z", history.z + lift*history.n_3);
+  rod = struct ("x", history.x + lift*history.n_1, "y", history.y + lift*history.n_2, ...
+                "z", history.z + lift*history.n_3);
   patch = surface_patch (system, scene, history);
-  drawing.surface = struct ("held", ! strcmp (scene.ends, "free"), "patch", patch, "rod", rod, "room", 3*scene.rod.half_height, ...
+  drawing.surface = struct ("held", ! strcmp (scene.ends, "free"), "patch", patch, "rod", rod, ...
+                            "room", 3*scene.rod.half_height, ...
                             "elevation", scene.view.elevation, ...
                             "azimuth", scene.view.azimuth + scene.view.turning*history.t);
 
   [x, y] = seen (rod, scene.view);
-  drawing.bodies = struct ("half_height", scene.rod.half_height, "x", x, "y", y, "rest_x", x, "rest_y", y, "stress", []);
+  drawing.bodies = struct ("half_height", scene.rod.half_height, "x", x, "y", y, "rest_x", x, "rest_y", y, ...
+                           "stress", []);
   held = [1, rows(x)](! strcmp (scene.ends, "free"));
   drawing.hinges = struct ("x", x(held,:), "y", y(held,:));
   [x, y] = seen (patch, scene.view);
@@ -41,7 +44,8 @@ endfunction
 ## in the camera's plane, z upwards
 function [x, y] = seen (points, view)
   x = points.y*cosd (view.azimuth) - points.x*sind (view.azimuth);
-  y = points.z*cosd (view.elevation) - (points.x*cosd (view.azimuth) + points.y*sind (view.azimuth))*sind (view.elevation);
+  y = points.z*cosd (view.elevation) - (points.x*cosd (view.azimuth) + ...
+                                        points.y*sind (view.azimuth))*sind (view.elevation);
 endfunction
 
 ## each fifth column, x and y

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{E} =} surface_energies (@var{system}, @var{z}, @var{z_dot})
-## Kinetic energy, strain energy, potential energy of gravity (J) and the three components of the angular momentum about
-## the origin (kg m^2/s), a row each, of the rod of @code{surface_rod}: 6-by-m at m states.
+## Kinetic energy, strain energy, potential energy of gravity (J) and the three components of the angular momentum
+## about the origin (kg m^2/s), a row each, of the rod of @code{surface_rod}: 6-by-m at m states.
 ## @end deftypefn
 
 function E = surface_energies (system, z, z_dot)
@@ -16,4 +16,5 @@ endfunction
 %! scene.initial.velocity = @(xi, alpha) [0*xi; 5*xi];
 %! system = surface_rod (check_surface_scene (scene));
 %! n = system.n;
-%! assert (surface_energies (system, system.initial_state(1:n), system.initial_state(n+1:2*n)), [50; 0; 0; 0; 0; 20], 1e-10);
+%! assert (surface_energies (system, system.initial_state(1:n), system.initial_state(n+1:2*n)), ...
+%!         [50; 0; 0; 0; 0; 20], 1e-10);

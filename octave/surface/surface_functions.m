@@ -4,8 +4,8 @@
 ## normal, geodesic, mass, balance, energies, strains, point_loads and reaction, which take the arguments of
 ## generated/surface_NAME_*.m but for the parameters, arrays of any size.
 ##
-## Surfaces of one's own (`make derive SURFACE=file') are found in output/surfaces/.  Unknown names, missing and unknown
-## parameters and such that are not positive are errors.
+## Surfaces of one's own (`make derive SURFACE=file') are found in output/surfaces/.  Unknown names, missing and
+## unknown parameters and such that are not positive are errors.
 ## @end deftypefn
 
 function surface = surface_functions (given)
@@ -15,7 +15,8 @@ function surface = surface_functions (given)
     addpath (own);
   endif
   if (! (isstruct (given) && isscalar (given) && isfield (given, "name") && ischar (given.name)))
-    scene_error ("surface is no struct with a name: it takes one of %s with its parameters", names_of_surfaces (root, own));
+    scene_error ("surface is no struct with a name: it takes one of %s with its parameters", ...
+                 names_of_surfaces (root, own));
   elseif (! exist (["surface_" given.name "_position"], "file"))
     scene_error ("surface.name is \"%s\": it takes one of %s, or what `make derive SURFACE=file' has derived", ...
                  given.name, names_of_surfaces (root, own));
@@ -64,8 +65,10 @@ endfunction
 %! assert ([x; y; z], [0 1; 0 0; -2 -2], 1e-15);
 %! [n_1, n_2, n_3, determinant] = surface.normal (0, 0);
 %! assert ([n_1 n_2 n_3 determinant], [0 0 1 1], 1e-15);
-%!error <surface.name is "egg": it takes one of bumps, cone, cylinder, plane, saddle, sphere, torus> surface_functions (struct ("name", "egg"))
+%!error <surface.name is "egg": it takes one of bumps, cone, cylinder, plane, saddle, sphere, torus>
+%! surface_functions (struct ("name", "egg"))
 %!error <surface.radius is missing> surface_functions (struct ("name", "sphere"))
 %!error <surface.radius is -1: it takes a positive number> surface_functions (struct ("name", "sphere", "radius", -1))
-%!error <surface.height is not a parameter of the sphere: those are radius> surface_functions (struct ("name", "sphere", "radius", 1, "height", 2))
+%!error <surface.height is not a parameter of the sphere: those are radius>
+%! surface_functions (struct ("name", "sphere", "radius", 1, "height", 2))
 %!error <surface is no struct with a name> surface_functions (3)

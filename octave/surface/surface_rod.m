@@ -1,14 +1,15 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{system} =} surface_rod (@var{scene})
 ## The rod of a checked scene (see @code{check_surface_scene}) on its surface as a system y_dot = rate (t, y, interval)
-## with the state y = (z; z_dot; W): coordinates in what the ends leave free, q = start + basis*z, their rates, work of the
-## loads.
+## with the state y = (z; z_dot; W): coordinates in what the ends leave free, q = start + basis*z, their rates, work of
+## the loads.
 ##
 ## Fields: n coordinates, initial_state, place (see @code{place_rod}), residual (t, z, z_dot, z_ddot) = mass times
-## acceleration less forces (n-by-m, at m times), power (t, z, z_dot) of the loads, mass_matrix (z), rate, size (z), the
-## largest displacement (m) that goes with a small change of z, fields (z, z_dot, z_ddot, stations) = arguments of the
-## surface's functions at stations of the rod, surface, rod (stiffnesses and mass as these functions take them), points and
-## weights (p-by-1, m, of the quadrature), breaks, state_scale, mass, stiffness (linear about the start), turned, duration.
+## acceleration less forces (n-by-m, at m times), power (t, z, z_dot) of the loads, mass_matrix (z), rate, size (z),
+## the largest displacement (m) that goes with a small change of z, fields (z, z_dot, z_ddot, stations) = arguments of
+## the surface's functions at stations of the rod, surface, rod (stiffnesses and mass as these functions take them),
+## points and weights (p-by-1, m, of the quadrature), breaks, state_scale, mass, stiffness (linear about the start),
+## turned, duration.
 ## @end deftypefn
 
 function system = surface_rod (scene)
@@ -22,7 +23,8 @@ function system = surface_rod (scene)
   system.rod = {r.rhoA, r.EA, r.EI, r.EI_normal, r.GJ, scene.gravity};
   inside = rod_basis (scene, system.place, system.points);
   ends = rod_basis (scene, system.place, [0; r.length]);
-  system.fields = @(z, z_dot, z_ddot, stations) fields_at (rod_basis (scene, system.place, stations), z, z_dot, z_ddot);
+  system.fields = @(z, z_dot, z_ddot, stations) fields_at (rod_basis (scene, system.place, stations), z, z_dot, ...
+                                                           z_ddot);
   system.residual = @(t, z, z_dot, z_ddot) residual (t, z, z_dot, z_ddot, inside, ends, system, scene);
   system.power = @(t, z, z_dot) sum (z_dot.*load_of (t, z, ends, system, scene), 1);
   system.mass_matrix = @(z) mass_matrix (z, inside, system, r.rhoA);
@@ -36,7 +38,8 @@ function system = surface_rod (scene)
   system.stiffness = tangent_stiffness (system, 0, start, velocity, start);
   per_coordinate = 1./max (max (abs (inside.values{1}))*scale(1), max (abs (inside.values{2}))*scale(2)).';
   system.initial_state = [start; velocity; 0];
-  system.state_scale = [per_coordinate; per_coordinate/scene.duration; r.rhoA*r.length*abs(scene.gravity) + r.EI/r.length^2];
+  system.state_scale = [per_coordinate; per_coordinate/scene.duration; ...
+                        r.rhoA*r.length*abs(scene.gravity) + r.EI/r.length^2];
   system.breaks = scene.moment_breaks;
   system.duration = scene.duration;
   system.turned = false;
@@ -111,7 +114,8 @@ endfunction
 %!function scene = pendulum ()
 %!  scene = struct ("surface", struct ("name", "torus", "core_radius", 1, "tube_radius", 0.4), "duration", 1, ...
 %!                  "rod", struct ("length", 1, "EA", 100, "EI", 0.1, "EI_normal", 0.2, "GJ", 0.3, "rhoA", 2), ...
-%!                  "ends", {{"hinge", "free"}}, "model", struct ("modes", [4 5]), "tip_moment", 0.3, "force", [1 2 3]);
+%!                  "ends", {{"hinge", "free"}}, "model", struct ("modes", [4 5]), ...
+%!                  "tip_moment", 0.3, "force", [1 2 3]);
 %!  scene.initial = struct ("angle", 1);
 %!  scene = check_surface_scene (scene);
 %!endfunction

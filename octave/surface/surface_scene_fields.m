@@ -3,10 +3,11 @@
 ## All fields of a scene of a rod on a surface, beside scene.surface (see @code{surface_functions}), as in
 ## @code{scene_fields}.
 ##
-## Loads are a moment at the rod's start and one at its end, about the surface's normal, and a force at its end, fixed in
-## space.  The rod starts unstretched on a geodesic from initial.point at initial.angle from the chart's first direction
-## to its second, unless initial.shape gives its place.  The first of the ends is that of xi = 0.  On a surface with a side
-## the rod lies on that side of it (1: where the normal points, -1: the other), 0: it cannot leave it.
+## Loads are a moment at the rod's start and one at its end, about the surface's normal, and a force at its end, fixed
+## in space.  The rod starts unstretched on a geodesic from initial.point at initial.angle from the chart's first
+## direction to its second, unless initial.shape gives its place.  The first of the ends is that of xi = 0.  On a
+## surface with a side the rod lies on that side of it (1: where the normal points, -1: the other), 0: it cannot leave
+## it.
 ## @end deftypefn
 
 function fields = surface_scene_fields ()
@@ -36,7 +37,8 @@ function fields = surface_scene_fields ()
     "view.azimuth",        30,                 "number in degrees"
     "view.turning",        0,                  "number in degrees per second"
     "model.modes",         [12 12],            "two numbers of modes [N1 N2]"
-    "solver.name",         "auto",             "\"auto\", \"gauss\", \"ode45\", \"ode15s\", \"lsode_adams\" or \"lsode_bdf\""
+    "solver.name",         "auto",             ...
+                           "\"auto\", \"gauss\", \"ode45\", \"ode15s\", \"lsode_adams\" or \"lsode_bdf\""
     "solver.tolerance",    1e-5,               "positive number in m"
   };
 endfunction

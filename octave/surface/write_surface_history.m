@@ -1,12 +1,13 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} write_surface_history (@var{history}, @var{file})
-## The history of a rod on a surface (see @code{measure_surface}) as CSV: a header of names with units, a row a time, 17
-## significant digits.  The coefficients have the unit of the chart's coordinate.
+## The history of a rod on a surface (see @code{measure_surface}) as CSV: a header of names with units, a row a time,
+## 17 significant digits.  The coefficients have the unit of the chart's coordinate.
 ## @end deftypefn
 
 function write_surface_history (history, file)
   names = [{"t [s]", "tip_x [m]", "tip_y [m]", "tip_z [m]"}, history.q_names, ...
-           {"T [J]", "U [J]", "Z [J]", "W [J]", "D [J]", "angular_momentum_x [kg m^2/s]", "angular_momentum_y [kg m^2/s]", ...
+           {"T [J]", "U [J]", "Z [J]", "W [J]", "D [J]", "angular_momentum_x [kg m^2/s]", ...
+            "angular_momentum_y [kg m^2/s]", ...
             "angular_momentum_z [kg m^2/s]", "smallest_reaction [N/m]", "largest_reaction [N/m]"}];
   table = [history.t; history.tip; history.q; history.T; history.U; history.Z; history.W; history.D; ...
            history.angular_momentum; min(history.reaction, [], 1); max(history.reaction, [], 1)];

@@ -14,7 +14,8 @@
   function mix(part) {  // 0 to 1 along viridis
     const at = Math.min(Math.max(part, 0), 1) * (viridis.length - 1), k = Math.min(Math.floor(at), viridis.length - 2);
     const channel = (hex, i) => parseInt(hex.slice(1 + 2 * i, 3 + 2 * i), 16);
-    return "rgb(" + [0, 1, 2].map((i) => Math.round(channel(viridis[k], i) * (k + 1 - at) + channel(viridis[k + 1], i) * (at - k))) + ")";
+    return "rgb(" + [0, 1, 2].map((i) => Math.round(channel(viridis[k], i) * (k + 1 - at) +
+                                                    channel(viridis[k + 1], i) * (at - k))) + ")";
   }
 
   function centreline(body, f, share) {  // share: of the deformation that the film has
@@ -69,7 +70,8 @@
     const edge = [[], []];
     points.forEach((p, i) => {
       const a = points[Math.max(i - 1, 0)], b = points[Math.min(i + 1, points.length - 1)];
-      const length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1, n = [-(b[1] - a[1]) / length * half, (b[0] - a[0]) / length * half];
+      const length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1,
+          n = [-(b[1] - a[1]) / length * half, (b[0] - a[0]) / length * half];
       edge[0].push([p[0] + n[0], p[1] + n[1]]);
       edge[1].push([p[0] - n[0], p[1] - n[1]]);
     });
@@ -116,7 +118,8 @@
     });
     const size = view.symbol * scale;
     data.hinges.forEach((hinge) => {
-      const p = at(hinge.body < 0 ? [hinge.x[frame] * data.unit, hinge.y[frame] * data.unit] : lines[hinge.body][hinge.point]);
+      const p = at(hinge.body < 0 ? [hinge.x[frame] * data.unit, hinge.y[frame] * data.unit] :
+                   lines[hinge.body][hinge.point]);
       c.strokeStyle = ink;
       c.lineWidth = 1.3;
       if (hinge.ground) {
@@ -133,13 +136,15 @@
       c.stroke();
     });
     if (data.moment && data.hinges.length) {
-      drawMoment(c, at(data.hinges[0].body < 0 ? [0, 0] : lines[data.hinges[0].body][data.hinges[0].point]), 2.6 * size);
+      drawMoment(c, at(data.hinges[0].body < 0 ? [0, 0] : lines[data.hinges[0].body][data.hinges[0].point]),
+                 2.6 * size);
     }
     if (data.gravity) { drawGravity(c, width, Math.sign(data.gravity), ink); }
   }
 
   function outline(c, p, size, shape) {
-    const [w, h] = { pin: [0.4, 0.4], hub: [0.9, 0.9], block: [0.9, 0.6], weld: [0.3, 0.3] }[shape].map((v) => v * size);
+    const [w, h] = { pin: [0.4, 0.4], hub: [0.9, 0.9], block: [0.9, 0.6],
+                    weld: [0.3, 0.3] }[shape].map((v) => v * size);
     c.beginPath();
     if (shape === "pin" || shape === "hub") { c.arc(p[0], p[1], w, 0, 2 * Math.PI); }
     else { c.rect(p[0] - w, p[1] - h, 2 * w, 2 * h); }
@@ -280,7 +285,9 @@
   zoom.addEventListener("input", () => setZoom(factorOf(Number(zoom.value))));
   scene.addEventListener("keydown", (event) => {
     const moves = { ArrowLeft: -1, ArrowRight: 1, Home: -frames, End: frames };
-    if (event.key === " ") { setPlaying(!playing); } else if (event.key in moves) { setPlaying(false); step(frame + moves[event.key]); } else { return; }
+    if (event.key === " ") { setPlaying(!playing); }
+    else if (event.key in moves) { setPlaying(false); step(frame + moves[event.key]); }
+    else { return; }
     event.preventDefault();
   });
   window.addEventListener("resize", draw);
@@ -288,7 +295,8 @@
   if (data.stress) {
     byId("scale").hidden = false;
     byId("low").textContent = Number(data.stress.range[0].toPrecision(3));
-    byId("high").textContent = Number(data.stress.range[1].toPrecision(3)) + " " + data.stress.unit + ", largest bending stress";
+    byId("high").textContent = Number(data.stress.range[1].toPrecision(3)) + " " + data.stress.unit +
+        ", largest bending stress";
     byId("bar").style.background = "linear-gradient(to right, " + viridis.join(", ") + ")";
   }
   setZoom(data.zoom);

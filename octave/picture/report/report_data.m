@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{json} =} report_data (@var{drawing})
-## What the animation of the report draws of @var{drawing} (see @code{draw_pictures}), for @file{report.js}: at most 400
-## frames and 41 points a body. Lengths are whole numbers of @code{unit} (m), deformations as drawn of
+## What the animation of the report draws of @var{drawing} (see @code{draw_pictures}), for @file{report.js}: at most
+## 400 frames and 41 points a body. Lengths are whole numbers of @code{unit} (m), deformations as drawn of
 ## @code{deformation_unit} (m), stresses of 1/255 of the largest.
 ## @end deftypefn
 
@@ -38,7 +38,8 @@ function json = report_data (drawing)
                          "UniformOutput", false);
   data.backdrop = {};
   if (isfield (drawing, "backdrop"))
-    data.backdrop = cellfun (@(line) num2cell (round (line.'(:).'/data.unit)), drawing.backdrop, "UniformOutput", false);
+    data.backdrop = cellfun (@(line) num2cell (round (line.'(:).'/data.unit)), drawing.backdrop, ...
+                             "UniformOutput", false);
   endif
   data.strips = arrayfun (@(strip) strip_data (strip, shown), drawing.strips(:).', "UniformOutput", false);
   json = strrep (jsonencode (data), "</", "<\\/");
@@ -120,7 +121,8 @@ endfunction
 %! assert (isempty (strfind (report_data (drawing), "null")));
 %!test # two bodies: the pin is the end of the first
 %! data = jsondecode (report_data (sample_bodies (4)));
-%! assert ([data.hinges.body], [0 0]); assert ([data.hinges.point], [0 1]); assert ([data.hinges.ground], [true false]);
+%! assert ([data.hinges.body], [0 0]); assert ([data.hinges.point], [0 1]);
+%! assert ([data.hinges.ground], [true false]);
 %! assert (data.stress, false);
 %!test # lines behind a rod on a surface
 %! data = jsondecode (report_data (sample_surface (4)));

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{mathml} =} tex_to_mathml (@var{tex})
-## A formula in the TeX that Maxima writes (groups, \over, ^, _, \left, \right, accents, functions, names of letters) as
-## MathML, inline with fractions as large as in display. A command that is not known is an error, which names it.
+## A formula in the TeX that Maxima writes (groups, \over, ^, _, \left, \right, accents, functions, names of letters)
+## as MathML, inline with fractions as large as in display. A command that is not known is an error, which names it.
 ## @end deftypefn
 
 function mathml = tex_to_mathml (tex)
@@ -64,10 +64,10 @@ function mathml = row (parts)
 endfunction
 
 function [mathml, rest] = atom_of (rest)
-  persistent symbols = struct ("alpha", "α", "beta", "β", "gamma", "γ", "delta", "δ", "varepsilon", "ε", "theta", "θ", ...
-                               "kappa", "κ", "lambda", "λ", "mu", "μ", "xi", "ξ", "pi", "π", "rho", "ρ", "sigma", "σ", ...
-                               "tau", "τ", "varphi", "φ", "chi", "χ", "psi", "ψ", "Gamma", "Γ", "Phi", "Φ", ...
-                               "partial", "∂", "bullet", "•");
+  persistent symbols = struct ("alpha", "α", "beta", "β", "gamma", "γ", "delta", "δ", "varepsilon", "ε", ...
+                               "theta", "θ", "kappa", "κ", "lambda", "λ", "mu", "μ", "xi", "ξ", "pi", "π", ...
+                               "rho", "ρ", "sigma", "σ", "tau", "τ", "varphi", "φ", "chi", "χ", "psi", "ψ", ...
+                               "Gamma", "Γ", "Phi", "Φ", "partial", "∂", "bullet", "•");
   persistent operators = struct ("cdot", "·", "times", "×", "sum", "∑", "int", "∫");
   persistent accents = struct ("dot", "˙", "ddot", "¨", "bar", "¯");
   persistent functions = {"sin", "cos", "tan", "arctan"};
@@ -129,7 +129,8 @@ endfunction
 %! text = tex_to_mathml ("{{\\mathbf{V}\\cdot a^2}\\over{2}}-\\dot{\\varphi}");
 %! expected = ["<math displaystyle=\"true\"><mrow><mfrac><mrow><mrow><mi mathvariant=\"normal\">𝐕</mi><mo>·</mo>" ...
 %!             "<msup><mi>a</mi><mn>2</mn></msup></mrow></mrow><mrow><mrow><mn>2</mn></mrow></mrow></mfrac>" ...
-%!             "<mo stretchy=\"false\">−</mo><mover accent=\"true\"><mrow><mi>φ</mi></mrow><mo>˙</mo></mover></mrow></math>"];
+%!             "<mo stretchy=\"false\">−</mo><mover accent=\"true\"><mrow><mi>φ</mi></mrow><mo>˙</mo></mover>" ...
+%!             "</mrow></math>"];
 %! assert (text, expected);
 %!test # functions
 %! assert (! isempty (strfind (tex_to_mathml ("\\sin ^2\\varphi"), "<msup><mi>sin</mi><mn>2</mn></msup>")));

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} write_report (@var{folder}, @var{drawing}, @var{scene}, @var{summary})
-## @file{report.html} in a @var{folder} that has @file{figure3.svg} and @file{history.svg}: one page that needs no other
-## file and no network, made of the files beside this one. It animates @var{drawing} (see @code{draw_pictures}) and
-## tells what the @var{scene} and the @var{summary} (structs of any fields; see @code{summarise}) say.
+## @file{report.html} in a @var{folder} that has @file{figure3.svg} and @file{history.svg}: one page that needs no
+## other file and no network, made of the files beside this one. It animates @var{drawing} (see @code{draw_pictures})
+## and tells what the @var{scene} and the @var{summary} (structs of any fields; see @code{summarise}) say.
 ## @end deftypefn
 
 function write_report (folder, drawing, scene, summary)
@@ -14,8 +14,8 @@ function write_report (folder, drawing, scene, summary)
 
   page.title = html_escape (drawing.title);
   page.warnings = warning_list (summary);
-  page.scene_text = html_escape (sprintf ("Animation of %s: %d bodies move for %s; the deformation is drawn %g times.", ...
-                                          drawing.title, numel (drawing.bodies), seconds, drawing.zoom));
+  scene_text = "Animation of %s: %d bodies move for %s; the deformation is drawn %g times.";
+  page.scene_text = html_escape (sprintf (scene_text, drawing.title, numel (drawing.bodies), seconds, drawing.zoom));
   page.strips_text = html_escape (["Over time: " labels(drawing.strips)]);
   page.figure3 = picture ("figure3", ["The bodies at even times over " seconds]);
   page.history = picture ("history", ["Over " seconds ": " panels]);
@@ -99,7 +99,8 @@ endfunction
 %!  mkdir (folder);
 %!  unwind_protect
 %!    for name = {"figure3", "history"}
-%!      write_text (fullfile (folder, [name{1} ".svg"]), "<svg xmlns='http://www.w3.org/2000/svg'><path id='a'/></svg>\n");
+%!      write_text (fullfile (folder, [name{1} ".svg"]), ...
+%!                  "<svg xmlns='http://www.w3.org/2000/svg'><path id='a'/></svg>\n");
 %!    endfor
 %!    summary = struct ("model", "rigid", "model_reason", "a < b", "warnings", {{"x & <y>"}}, "tried", [], ...
 %!                      "seconds", struct ("frames", 2, "film", 1), "command", "make simulate MODES='1 2'");
@@ -135,7 +136,8 @@ endfunction
 %! assert (isempty (strfind (html, "{{")));
 %! data = regexp (html, '<script id="data" type="application/json">(.*?)</script>', "tokens"){1}{1};
 %! assert (numel (jsondecode (data).time), 5);
-%! for text = {"A &lt;rod&gt; &amp; &quot;more&quot;", "x &amp; &lt;y&gt;", "@(t) 3 * (t &lt; 1)", "MODES=&#39;1 2&#39;", ...
+%! for text = {"A &lt;rod&gt; &amp; &quot;more&quot;", "x &amp; &lt;y&gt;", "@(t) 3 * (t &lt; 1)", ...
+%!             "MODES=&#39;1 2&#39;", ...
 %!             "<mfrac>", "prefers-color-scheme: dark", "width=device-width", "aria-label"}
 %!   assert (! isempty (strfind (html, text{1})), text{1});
 %! endfor
@@ -148,10 +150,11 @@ endfunction
 %! check_tags (report_of (drawing, @fileread));
 
 %!function dom = browsed (file)
-%!  [~, dom] = system (["timeout 60 chromium --headless --no-sandbox --disable-gpu --virtual-time-budget=3000 --dump-dom " ...
-%!                      shell_string(["file://" file]) " 2>/dev/null"]);
+%!  [~, dom] = system (["timeout 60 chromium --headless --no-sandbox --disable-gpu --virtual-time-budget=3000" ...
+%!                      " --dump-dom " shell_string(["file://" file]) " 2>/dev/null"]);
 %!endfunction
-%!testif ; system ("command -v chromium >/dev/null") == 0 # Chromium runs it: all frames are known, the present one told
+%!testif ; system ("command -v chromium >/dev/null") == 0
+%! ## Chromium runs it: all frames are known, the present one told
 %! for drawing = {sample_drawing(5), sample_bodies(4)}
 %!   dom = report_of (drawing{1}, @browsed);
 %!   assert (! isempty (strfind (dom, sprintf ("data-drawn=\"%d\"", numel (drawing{1}.time)))));
