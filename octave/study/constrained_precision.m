@@ -1,13 +1,14 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{table} =} constrained_precision (@var{scene}, @var{folder})
+## @deftypefn {} {@var{table} =} constrained_precision (@var{scene}, @var{folder}, @var{finest}, @var{sizes})
 ## The work-precision diagram of all integrators of mechanisms on a @var{scene} of several bodies: the error of all
 ## centrelines' ends and the constraints' drift over all frames against seconds, and the cost of chains beside it.  The
 ## reference is `radau' at 1e-12 m, with which `ode15i' at 1e-9 m is compared.  What takes more than a minute is
-## given up.  Leaves chart.csv, cost.csv, chart.svg and chart.png in the @var{folder}; @var{table} is a struct
+## given up.  Tolerances go from 1e-3 m to @var{finest}, steps from 1/100 of the duration to its root; chains have
+## @var{sizes} rods.  Leaves chart.csv, cost.csv, chart.svg and chart.png in the @var{folder}; @var{table} is a struct
 ## array of method, parameter (tolerance in m, or step in s), error (m), drift (m or rad), seconds, calls, failure.
 ## @end deftypefn
 
-function table = constrained_precision (scene, folder)
+function table = constrained_precision (scene, folder, finest = 1e-9, sizes = [1 2 5 10 20 50])
   scene = check_mechanism (scene);
   scene.solver.tolerance = mechanism_tolerance (scene);
   mechanism = choose_mechanism (scene);
@@ -20,14 +21,13 @@ function table = constrained_precision (scene, folder)
   printf ("  reference: radau and ode15i differ by %.2g m\n", distance_of (reference, other));
   table = struct ([]);
   for method = constrained_table ()
-    parameters = 10.^(-3:-1:-9);
+    parameters = 10.^(-3:-1:log10 (finest));
     if (! method.adaptive)
-      parameters = 10.^(-2:-0.5:-4.5)*scene.duration;
+      parameters = 10.^(-2:-0.5:log10 (finest)/2)*scene.duration;
     endif
     for parameter = parameters
-      row = struct ("method", method.name, "parameter", parameter, "error", NaN, "drift", NaN, "seconds", NaN, ...
-                    "calls", NaN, ...
-                    "failure", "");
+      row = struct ("method", method.name, "parameter", parameter, ...
+                    "error", NaN, "drift", NaN, "seconds", NaN, "calls", NaN, "failure", "");
       try
         found = run (method.name, parameter);
         [row.error, row.drift] = deal (distance_of (found, reference), found.drift);
@@ -47,7 +47,7 @@ function table = constrained_precision (scene, folder)
       endif
     endfor
   endfor
-  cost = chain_cost ([1 2 5 10 20 50]);
+  cost = chain_cost (sizes);
   publish_run (folder, {"chart.csv", "cost.csv", "chart.svg", "chart.png"}, ...
                @(aside) write_constrained_chart (table, cost, scene, aside));
   printf ("%s/ has chart.csv, cost.csv, chart.svg, chart.png\n", folder);
@@ -78,7 +78,7 @@ endfunction
 %! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
 %! folder = tempname (); confirm_recursive_rmdir (false, "local");
 %! unwind_protect
-%!   evalc ("table = constrained_precision (scene, folder);");
+%!   evalc ("table = constrained_precision (scene, folder, 1e-5, [1 2]);");
 %!   assert (all (cellfun (@isempty, {table.failure})));
 %!   assert (max ([table.error]) < 1e-3);
 %!   assert (exist (fullfile (folder, "chart.png"), "file"), 2);

@@ -34,8 +34,8 @@ function warnings = pull_warning (history, scene)
   if (least < -1e-6*max (abs (push(:))))
     first = find (min (push, [], 1) < -1e-6*max (abs (push(:))), 1);
     warnings = {sprintf(["the surface would have to pull the rod from t = %.4g s on, by up to %.3g N/m at" ...
-                         " t = %.4g s: a rod on one side would lift off there; surface.side = 0 has a rod that cannot"], ...
-                        history.t(first), -least, history.t(k))};
+                         " t = %.4g s: a rod on one side would lift off there; surface.side = 0 has a rod" ...
+                         " that cannot"], history.t(first), -least, history.t(k))};
   endif
 endfunction
 
