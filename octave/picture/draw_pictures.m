@@ -32,7 +32,7 @@
 ## @end table
 ##
 ## @var{warnings} is a cell array of texts: what could not be made, and why. @var{seconds} is a struct of how long
-## @code{figures}, @code{frames} and @code{film} took; the figures are drawn while the frames' data are written.
+## @code{frames}, @code{film} and @code{figures} took.
 ## It is an error when the frames of the fields differ, when a value is not finite, and when gnuplot or ffmpeg fails.
 ## @end deftypefn
 
@@ -42,29 +42,31 @@ function [warnings, seconds] = draw_pictures (drawing, folder)
   [figure, frames] = {@draw_figure3, @draw_frames; @draw_surface_figure, @draw_surface_frames}{1 + of_surface,:};
   scratch = @(name) fullfile (folder, ["scratch_" name]);
   cellfun (@(name) mkdir (scratch (name)), {"figure3", "history", "frames"});
-  jobs = [];
   unwind_protect
     start = tic ();
-    jobs = [figure(drawing, scratch ("figure3")), draw_history(drawing, scratch ("history"))];
-    frames_start = tic ();
-    jobs = [jobs, frames(drawing, scratch ("frames"))];
-    cellfun (@(job) finish_tool (job), num2cell (jobs(1:2)));
+    finish (frames (drawing, scratch ("frames")));
+    seconds.frames = toc (start);
+    made = arrayfun (@(k) sprintf ("frames/frame_%04d.png", k), 1:numel (drawing.time), "UniformOutput", false);
+    require_all (folder, made);
+    start = tic ();
+    warnings = make_film (numel (drawing.time), film_rate (drawing.frames_per_second), folder);
+    seconds.film = toc (start);
+    start = tic ();
+    finish ([figure(drawing, scratch ("figure3")), draw_history(drawing, scratch ("history"))]);
+    require_all (folder, [strcat("figure3.", {"svg", "png", "pdf"}), {"history.svg"}]);
     seconds.figures = toc (start);
-    cellfun (@(job) finish_tool (job), num2cell (jobs(3:end)));
-    seconds.frames = toc (frames_start);
   unwind_protect_cleanup
     confirm_recursive_rmdir (false, "local");
     cellfun (@(name) rmdir (scratch (name), "s"), {"figure3", "history", "frames"});
   end_unwind_protect
-  made = [strcat("figure3.", {"svg", "png", "pdf"}), {"history.svg"}, frame_names(numel (drawing.time))];
-  cellfun (@(name) require_whole (fullfile (folder, name)), made);
-  start = tic ();
-  warnings = make_film (numel (drawing.time), film_rate (drawing.frames_per_second), folder);
-  seconds.film = toc (start);
 endfunction
 
-function names = frame_names (frames)
-  names = arrayfun (@(k) sprintf ("frames/frame_%04d.png", k), 1:frames, "UniformOutput", false);
+function finish (jobs)
+  cellfun (@(job) finish_tool (job), num2cell (jobs));
+endfunction
+
+function require_all (folder, names)
+  cellfun (@(name) require_whole (fullfile (folder, name)), names);
 endfunction
 
 %!test # every file is there, in a folder with a difficult name, and nothing else
