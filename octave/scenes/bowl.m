@@ -10,7 +10,6 @@ function scene = bowl ()
   scene.initial = struct ("point", [0.3 -0.2], "angle", 1.4);
   scene.initial.velocity = @(xi, alpha) 3.5*[-alpha(2,:); alpha(1,:)];
   scene.duration = 1.5;
-  scene.model.modes = [10 10];
   scene.view = struct ("elevation", 45, "azimuth", -40, "turning", 20);
 endfunction
 

@@ -10,7 +10,6 @@ function scene = cylinder ()
   scene.rod = struct ("length", 0.8, "EA", 2e3, "EI", 0.02, "rhoA", 0.2, "half_height", 0.008);
   scene.initial = struct ("point", [-0.35 0], "angle", 0.75);
   scene.duration = 2;
-  scene.model.modes = [10 10];
   scene.view = struct ("elevation", 40, "azimuth", -55);
 endfunction
 

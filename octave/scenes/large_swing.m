@@ -9,7 +9,6 @@ function scene = large_swing ()
   scene.rod = struct ("length", 1, "EA", 2e3, "EI", 0.05, "rhoA", 0.1, "half_height", 0.01);
   scene.ends = {"hinge", "free"};
   scene.duration = 1.6;
-  scene.model.modes = [14 14];
   scene.view = struct ("elevation", 12, "azimuth", -75);
 endfunction
 

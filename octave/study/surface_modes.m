@@ -13,6 +13,7 @@ function table = surface_modes (scenes = {"large_swing", "cylinder", "bowl", "sa
     scene.duration = min (scene.duration, 0.3);
     for k = 1:numel (numbers)
       scene.model.modes = numbers([k k]);
+      scene.solver.tolerance = 1e-5;
       histories{k} = driver (scene, "output", "").history;
     endfor
     table(i,:) = cellfun (@(history) apart (history, histories{end}), histories(1:end-1));

@@ -31,6 +31,12 @@ function scene = check_surface_scene (given)
                  isequal (scene.surface.side, 0)))
     scene_error ("surface.side is not 1, -1 or 0: the side of the normal, the other, or both");
   endif
+  if (ischar (scene.solver.tolerance))
+    scene.solver.tolerance = scene.rod.length/min (scene.frame_size)/2;
+  endif
+  if (ischar (scene.model.modes) && any (scene.model.sines))
+    scene_error ("model.sines are beside so many polynomials as model.modes says: give [N1 N2], [4 4] say, not \"auto\"");
+  endif
   scene.moment_breaks = unique (scene.moment_breaks(:).');
   scene.moment = load_function (scene.moment, "moment", 1, scene.duration);
   scene.tip_moment = load_function (scene.tip_moment, "tip_moment", 1, scene.duration);
@@ -46,7 +52,7 @@ function check_value (name, value, kind)
     case "initial.point"
       good = isnumeric (value) && isreal (value) && numel (value) == 2 && all (isfinite (value));
     case "model.modes"
-      good = isempty (value_error ("[N1 N2]", value)) && all (value >= 3);
+      good = strcmp (value, "auto") || (isempty (value_error ("[N1 N2]", value)) && all (value >= 3));
       kind = [kind ", at least 3 each"];
     otherwise
       good = isempty (value_error (kind, value)) || (isempty (value) && ! isempty (strfind (name, "initial")));
@@ -96,14 +102,17 @@ endfunction
 
 %!test # defaults are filled in
 %! scene = check_surface_scene (smallest ());
+%! assert (scene.solver.tolerance, 1/1440);
 %! assert (scene.rod.EI_normal, 1); assert (scene.gravity, 9.81); assert (scene.force (3), [0; 0; 0]);
 %!error <rod.EA is -1: it takes positive number in N> check_surface_scene (setfield (smallest (), "rod", "EA", -1))
 %!error <rod.EI is missing> check_surface_scene (setfield (smallest (), "rod", struct ("length", 1, "EA", 1)))
 %!error <colour is not a field of a scene on a surface> check_surface_scene (setfield (smallest (), "colour", 1))
 %!error <ends is a 1-by-1 cell: it takes two of "free", "hinge" and "clamped">
 %! check_surface_scene (setfield (smallest (), "ends", {"free"}))
-%!error <model.modes is 2   2: it takes two numbers>
+%!error <model.modes is 2   2: it takes "auto" or two numbers>
 %! check_surface_scene (setfield (smallest (), "model", "modes", [2 2]))
 %!error <force gives 3 at t = 0: it takes 3 numbers> check_surface_scene (setfield (smallest (), "force", @(t) 3))
 %!error <tip_moment fails at t = 0: no> check_surface_scene (setfield (smallest (), "tip_moment", @(t) error ("no")))
 %!error <surface.side is not 1, -1 or 0> check_surface_scene (setfield (smallest (), "surface", "side", 2))
+%!error <model.sines are beside so many polynomials as model.modes says>
+%! check_surface_scene (setfield (smallest (), "model", "sines", [2 2]))

@@ -11,16 +11,17 @@ function result = drive_surface (scene, name, options, command = "")
   if (isempty (scene.title))
     scene.title = name;
   endif
-  system = surface_rod (scene);
   try
-    [history, count] = run_surface (system, scene);
+    [run, choice] = choose_surface (scene);
   catch err
     if (strcmp (err.identifier, "toolchain:integration") && ! isempty (folder))
       record_failure (folder, name, scene, err.message);
     endif
     rethrow (err);
   end_try_catch
-  summary = summarise_surface (name, scene, history, count);
+  announce (choice);
+  [scene, system, history] = deal (run.scene, run.system, run.history);
+  summary = summarise_surface (name, run, choice);
   summary.command = command;
   if (! isempty (folder))
     summary = write_run (folder, scene, summary, start, @(file) write_surface_history (history, file), ...

@@ -1,16 +1,16 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{states}, @var{count}] =} integrate_gauss (@var{system}, @var{times}, @var{solver})
+## @deftypefn {} {[@var{states}, @var{count}] =} integrate_gauss (@var{system}, @var{times}, @var{tolerance}, @var{balance})
 ## The states (n-by-m) of a rod on a surface (see @code{surface_rod}) at the @var{times} (1-by-m, s) by collocation at
 ## four points of Gauss: order 8, symplectic in its canonical coordinates, stable for the stiffest bending and
 ## stretching.
 ##
 ## Between two times, and between breaks of the loads, as many equal steps are taken, doubled again and again, as bring
-## the last doubling's change of place within @var{solver}.tolerance (m), and the energy balance within 3e-9.
-## Oscillations of stretching too fast for that
-## keep their energy, not their phase.  @var{count}: method, steps, calls of the residual (a column each) and seconds.
+## the last doubling's change of place within @var{tolerance} (m), and the energy balance within @var{balance} (default
+## 3e-9) of the largest energy.  Oscillations of stretching too fast for that keep their energy, not their phase.
+## @var{count}: method, steps, calls of the residual (a column each) and seconds.
 ## @end deftypefn
 
-function [states, count] = integrate_gauss (system, times, solver)
+function [states, count] = integrate_gauss (system, times, tolerance, balance = 3e-9)
   start = tic ();
   stops = unique ([times, system.breaks(system.breaks > times(1) & system.breaks < times(end))]);
   y = system.initial_state;
@@ -27,17 +27,17 @@ function [states, count] = integrate_gauss (system, times, solver)
       if (m > 2^13)
         stop_integration ("gauss", system, interval(1), times(end), diff (interval)/m, ...
                           "its steps shrank to nothing", ...
-                          sprintf ("a larger tolerance than %.2g m", solver.tolerance));
+                          sprintf ("a larger tolerance than %.2g m a frame", tolerance));
       endif
       fine = march (system, method, interval, y, m);
       steps += 3*pieces;
       watch_rate ("steps", 3*pieces);
       change = fine - coarse;
       [drift, largest] = energy_drift (system, y, fine, largest);
-      error = max (system.size (change(1:n)), solver.tolerance*drift/3e-9);
+      error = max (system.size (change(1:n)), tolerance*drift/balance);
       [coarse, pieces] = deal (fine, m);
-    until (error <= solver.tolerance)
-    m = m/(1 + (error < solver.tolerance/2^9 && m > 2));
+    until (error <= tolerance)
+    m = m/(1 + (error < tolerance/16 && m > 2));
     y = fine;
     everywhere = linspace (0, sum (system.weights), 501).';
     refuse_singular (system.surface, system.fields (y(1:n), y(1:n), y(1:n), everywhere), ...
@@ -116,7 +116,7 @@ endfunction
 %!                 "ends", {{"hinge", "free"}}, "model", struct ("modes", [4 4]), "initial", struct ("angle", 1));
 %! system = surface_rod (check_surface_scene (scene));
 %! times = [0 0.1 0.2 0.3];
-%! [states, count] = integrate_gauss (system, times, struct ("tolerance", 1e-9));
+%! [states, count] = integrate_gauss (system, times, 1e-9);
 %! expected = integrate (system, times, struct ("name", "ode45", "tolerance", 1e-8));
 %! assert (states(1:system.n,:), expected(1:system.n,:), 1e-6);
 %! n = system.n;

@@ -10,7 +10,7 @@ function history = measure_surface (system, scene, times, states)
   [z, z_dot] = deal (states(1:n,:), states(n+1:2*n,:));
   history.t = times;
   history.q = system.place.start + system.place.basis*z;
-  history.q_names = [numbered("alpha1", scene.model.modes(1)), numbered("alpha2", scene.model.modes(2))];
+  history.q_names = [numbered("alpha1", scene.model, 1), numbered("alpha2", scene.model, 2)];
   E = surface_energies (system, z, z_dot);
   [history.T, history.U, history.Z] = deal (E(1,:), E(2,:), E(3,:));
   history.angular_momentum = E(4:6,:);
@@ -27,8 +27,9 @@ function history = measure_surface (system, scene, times, states)
   history.largest_strain = max (max (abs (system.surface.strains (fields{1:6}))));
 endfunction
 
-function names = numbered (name, count)
-  names = arrayfun (@(k) sprintf ("%s_%d", name, k), 0:count-1, "uniformoutput", false);
+function names = numbered (name, model, i)
+  names = [arrayfun(@(k) sprintf ("%s_%d", name, k), 0:model.modes(i)-1, "uniformoutput", false), ...
+           arrayfun(@(k) sprintf ("%s_sine_%d", name, k), 1:model.sines(i), "uniformoutput", false)];
 endfunction
 
 %!test # at rest on a level plane

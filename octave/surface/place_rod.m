@@ -1,14 +1,13 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{place} =} place_rod (@var{scene}, @var{surface})
 ## Where the rod of a checked scene starts, and how it may move from there: a struct of start and velocity (N-by-1, the
-## coefficients q of the chart's coordinates in polynomials of Legendre and their rates), and basis (N-by-n,
+## coefficients q of the chart's coordinates in their base functions and their rates), and basis (N-by-n,
 ## orthonormal directions that the ends leave free).
 ## @end deftypefn
 
 function place = place_rod (scene, surface)
-  modes = scene.model.modes;
   l = scene.rod.length;
-  [x, weights] = gauss_points (2*max (modes) + 6);
+  [x, weights] = gauss_points (quadrature_points (scene.model));
   xi = l*x.';
   stations = [0, xi, l];
   if (isempty (scene.initial.shape))
@@ -16,14 +15,15 @@ function place = place_rod (scene, surface)
   else
     alpha = values_of (scene.initial.shape, "initial.shape", numel (stations), stations);
   endif
-  q = projected (alpha(:,2:end-1), x, weights, modes);
+  q = projected (alpha(:,2:end-1), x, weights, scene.model);
   if (! any (strcmp (scene.ends, "hinge")) && ! any (strcmp (scene.ends, "clamped")))
     Phi = zeros (0, numel (q));
   else
-    [~, slopes_1] = legendre_functions (modes(1), [0; l], l);
-    [~, slopes_2] = legendre_functions (modes(2), [0; l], l);
-    slope = [slopes_1*q(1:modes(1)), slopes_2*q(modes(1)+1:end)].';
-    Phi = surface_constraints (scene.ends, modes, l, slope);
+    [~, slopes_1] = rod_functions (scene.model, 1, [0; l], l);
+    [~, slopes_2] = rod_functions (scene.model, 2, [0; l], l);
+    n = columns (slopes_1);
+    slope = [slopes_1*q(1:n), slopes_2*q(n+1:end)].';
+    Phi = surface_constraints (scene.ends, scene.model, l, slope);
   endif
   place.start = q;
   place.basis = null (Phi);
@@ -33,19 +33,22 @@ function place = place_rod (scene, surface)
   place.velocity = zeros (size (q));
   if (! isempty (scene.initial.velocity))
     velocity = projected (values_of (scene.initial.velocity, "initial.velocity", numel (xi), xi, alpha(:,2:end-1)), ...
-                          x, weights, modes);
+                          x, weights, scene.model);
     place.velocity = place.basis*(place.basis.'*velocity);
   endif
 endfunction
 
-function q = projected (alpha, x, weights, modes)
+function q = projected (alpha, x, weights, model)
   q = [];
   for i = 1:2
-    k = (0:modes(i)-1).';
-    q = [q; (2*k + 1).*(legendre_functions (modes(i), x, 1).'*(weights.*alpha(i,:).'))];
+    base = sqrt (weights).*rod_functions (model, i, x, 1);
+    if (cond (base) > 1e5)
+      scene_error (["the first %d sines are all but polynomials of %d terms (condition number %.2g): take fewer" ...
+                    " model.modes, 4 say, beside model.sines"], model.sines(i), model.modes(i), cond (base));
+    endif
+    q = [q; base \ (sqrt (weights).*alpha(i,:).')];
   endfor
 endfunction
-
 
 function alpha = values_of (f, name, m, varargin)
   try
@@ -67,3 +70,6 @@ endfunction
 %! place = place_rod (scene, surface_functions (rmfield (scene.surface, "side")));
 %! assert (place.start, [1 0 0 3 1 0 0].', 1e-12);
 %! assert (size (place.basis), [7 5]);
+%!error <the first 9 sines are all but polynomials of 20 terms>
+%! scene = setfield (setfield (large_swing (), "model", "modes", [20 20]), "model", "sines", [9 9]);
+%! driver (scene, "output", "");

@@ -1,13 +1,14 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{history}, @var{count}] =} run_surface (@var{system}, @var{scene})
+## @deftypefn {} {[@var{history}, @var{count}] =} run_surface (@var{system}, @var{scene}, @var{balance})
 ## The motion of the rod of @code{surface_rod} at the frame times (see @code{measure_surface}), by the scene's solver,
-## and the count of @code{integrate}.  A rod that touches itself and an energy balance that is lost are errors.
+## and the count of @code{integrate}.  The energy balance is kept to @var{balance} a frame (default 3e-9), the place to
+## an equal part of the scene's tolerance.  A rod that touches itself and an energy balance that is lost are errors.
 ## @end deftypefn
 
-function [history, count] = run_surface (system, scene)
+function [history, count] = run_surface (system, scene, balance = 3e-9)
   times = frame_times (scene);
   if (any (strcmp (scene.solver.name, {"auto", "gauss"})))
-    [states, count] = integrate_gauss (system, times, scene.solver);
+    [states, count] = integrate_gauss (system, times, scene.solver.tolerance/numel (times), balance);
   else
     [states, count] = integrate (system, times, scene.solver);
   endif

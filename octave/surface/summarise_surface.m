@@ -1,30 +1,38 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{summary} =} summarise_surface (@var{name}, @var{scene}, @var{history}, @var{count})
-## What a run of a rod on a surface was and how it went: the struct that summary.json holds.
+## @deftypefn {} {@var{summary} =} summarise_surface (@var{name}, @var{run}, @var{choice})
+## What a @var{run} of a rod on a surface was, how it was chosen (see @code{choose_surface}) and how it went: the struct
+## that summary.json holds.
 ## @end deftypefn
 
-function summary = summarise_surface (name, scene, history, count)
+function summary = summarise_surface (name, run, choice)
+  [scene, history, count] = deal (run.scene, run.history, run.count);
   summary.scene = name;
   summary.title = scene.title;
-  summary.model = sprintf ("%d + %d polynomials on the surface %s", scene.model.modes, scene.surface.name);
-  summary.model_reason = "as the scene states it";
+  summary.model = sprintf ("%d + %d base functions on the surface %s", scene.model.modes + scene.model.sines, ...
+                           scene.surface.name);
+  summary.model_reason = choice.reason;
   summary.surface = scene.surface;
   summary.modes = scene.model.modes;
+  summary.sines = scene.model.sines;
   summary.ends = scene.ends;
   summary.method = count.method;
   summary.tolerance_m = scene.solver.tolerance;
-  summary.estimated_error_m = [];
-  summary.tried = [];
+  summary.estimated_error_m = choice.error_m;
+  summary.tried = choice.tried;
   summary.steps = count.steps;
   summary.rate_calls = count.calls;
   summary.frames = numel (history.t);
   summary.seconds = struct ("choice", 0, "integration", count.seconds);
+  if (! isempty (choice.tried))
+    summary.seconds.choice = sum ([choice.tried.seconds]);
+  endif
   summary.largest_energy_error = max (energy_error (history));
   summary.angular_momentum_change = max (abs (history.angular_momentum - history.angular_momentum(:,1)), [], 2).';
   summary.largest_strain = history.largest_strain;
   summary.reaction = [min(history.reaction(:)), max(history.reaction(:))];
-  summary.largest_end_coefficient = max (abs (history.q(cumsum (scene.model.modes),:))(:))/scene.rod.length;
-  summary.warnings = [pull_warning(history, scene), strain_warning(history.largest_strain), balance_warning(summary)];
+  last = cumsum (scene.model.modes + scene.model.sines);
+  summary.largest_end_coefficient = max (abs (history.q(last,:))(:))/scene.rod.length;
+  summary.warnings = [choice.warnings, pull_warning(history, scene), strain_warning(history.largest_strain), balance_warning(summary)];
 endfunction
 
 function warnings = pull_warning (history, scene)

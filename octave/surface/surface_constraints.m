@@ -1,16 +1,16 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{Phi} =} surface_constraints (@var{ends}, @var{modes}, @var{length}, @var{slope})
+## @deftypefn {} {@var{Phi} =} surface_constraints (@var{ends}, @var{model}, @var{length}, @var{slope})
 ## The linear constraints Phi*q = constant (c-by-N) that the @var{ends} (see @code{surface_scene_fields}) put on the
-## coefficients q of a rod's @var{modes} [N1 N2]: its point stays at a hinge, and where it is clamped also the
-## direction of the chart's @var{slope} (2-by-2, a column an end).
+## coefficients q of a rod's base functions (see @code{rod_functions}): its point stays at a hinge, and where it is
+## clamped also the direction of the chart's @var{slope} (2-by-2, a column an end).
 ## @end deftypefn
 
-function Phi = surface_constraints (ends, modes, length, slope)
-  Phi = zeros (0, sum (modes));
+function Phi = surface_constraints (ends, model, length, slope)
+  Phi = zeros (0, sum (model.modes + model.sines));
   for k = 1:2
     xi = (k - 1)*length;
-    [values_1, slopes_1] = legendre_functions (modes(1), xi, length);
-    [values_2, slopes_2] = legendre_functions (modes(2), xi, length);
+    [values_1, slopes_1] = rod_functions (model, 1, xi, length);
+    [values_2, slopes_2] = rod_functions (model, 2, xi, length);
     if (! strcmp (ends{k}, "free"))
       Phi = [Phi; blkdiag(values_1, values_2)];
     endif
@@ -22,6 +22,6 @@ function Phi = surface_constraints (ends, modes, length, slope)
 endfunction
 
 %!test
-%! assert (size (surface_constraints ({"clamped", "hinge"}, [3 4], 1, eye (2))), [5 7]);
-%! Phi = surface_constraints ({"clamped", "free"}, [3 3], 2, eye (2));
+%! assert (size (surface_constraints ({"clamped", "hinge"}, struct ("modes", [3 4], "sines", [0 2]), 1, eye (2))), [5 9]);
+%! Phi = surface_constraints ({"clamped", "free"}, struct ("modes", [3 3], "sines", [0 0]), 2, eye (2));
 %! assert (Phi, [1 -1 1 0 0 0; 0 0 0 1 -1 1; 0 0 0 0 1 -3], 1e-14);

@@ -56,6 +56,7 @@ endfunction
 %!test # from above, x is to the right for a camera in the direction of -y
 %! scene = check_surface_scene (setfield (setfield (bowl (), "duration", 0.02), "view", ...
 %!                                        struct ("elevation", 90, "azimuth", -90, "turning", 0)));
+%! scene.model.modes = [4 4];
 %! system = surface_rod (scene);
 %! history = measure_surface (system, scene, [0 1], [system.initial_state, system.initial_state]);
 %! drawing = surface_drawing (system, scene, history);

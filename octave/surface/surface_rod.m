@@ -17,7 +17,7 @@ function system = surface_rod (scene)
   system.place = place_rod (scene, surface);
   system.surface = surface;
   system.n = columns (system.place.basis);
-  [x, weights] = gauss_points (2*max (scene.model.modes) + 6);
+  [x, weights] = gauss_points (quadrature_points (scene.model));
   [system.points, system.weights] = deal (scene.rod.length*x, scene.rod.length*weights);
   r = scene.rod;
   system.rod = {r.rhoA, r.EA, r.EI, r.EI_normal, r.GJ, scene.gravity};
@@ -46,11 +46,12 @@ function system = surface_rod (scene)
 endfunction
 
 function base = rod_basis (scene, place, stations)
-  modes = scene.model.modes;
   base.stations = stations;
+  last = 0;
   for i = 1:2
-    part = (i - 1)*modes(1) + (1:modes(i));
-    [base.values{i}, base.slopes{i}, base.seconds{i}] = legendre_functions (modes(i), stations, scene.rod.length);
+    [base.values{i}, base.slopes{i}, base.seconds{i}] = rod_functions (scene.model, i, stations, scene.rod.length);
+    part = last + (1:columns (base.values{i}));
+    last = part(end);
     for kind = {"values", "slopes", "seconds"}
       base.(["start_" kind{1}]){i} = base.(kind{1}){i}*place.start(part);
       base.(kind{1}){i} *= place.basis(part,:);

@@ -7,7 +7,8 @@
 ## in space.  The rod starts unstretched on a geodesic from initial.point at initial.angle from the chart's first
 ## direction to its second, unless initial.shape gives its place.  The first of the ends is that of xi = 0.  On a
 ## surface with a side the rod lies on that side of it (1: where the normal points, -1: the other), 0: it cannot leave
-## it.
+## it.  The chart's coordinates along the rod are model.modes polynomials and model.sines sines beside the start.
+## A pixel's tolerance is half of one, where the rod fills the frame's smaller side.
 ## @end deftypefn
 
 function fields = surface_scene_fields ()
@@ -36,10 +37,11 @@ function fields = surface_scene_fields ()
     "view.elevation",      35,                 "number in degrees"
     "view.azimuth",        30,                 "number in degrees"
     "view.turning",        0,                  "number in degrees per second"
-    "model.modes",         [12 12],            "two numbers of modes [N1 N2]"
+    "model.modes",         "auto",             "\"auto\" or two numbers of polynomials [N1 N2]"
+    "model.sines",         [0 0],              "two numbers of sines [N1 N2]"
     "solver.name",         "auto",             ...
                            "\"auto\", \"gauss\", \"ode45\", \"ode15s\", \"lsode_adams\" or \"lsode_bdf\""
-    "solver.tolerance",    1e-5,               "positive number in m"
+    "solver.tolerance",    "pixel",            "\"pixel\" or positive number in m"
   };
 endfunction
 

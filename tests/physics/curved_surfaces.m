@@ -114,3 +114,12 @@ endfunction
 %! scene = curved_surfaces (struct ("name", "cone", "half_angle", 0.7), struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1), 1);
 %! scene.initial.shape = @(xi) [xi - 0.4; 0.3 + 0*xi];
 %! driver (scene, "output", "");
+
+%!test # sines beside four polynomials tend to the motion that polynomials alone tend to
+%! with = @(modes, sines) setfield (setfield (setfield (bowl (), "duration", 0.1), "model", "modes", modes), "model", "sines", sines);
+%! motion = @(varargin) driver (with (varargin{:}), "output", "").history;
+%! rich = motion ([10 10], [0 0]);
+%! off = @(h) max (sqrt ((h.x - rich.x).^2 + (h.y - rich.y).^2 + (h.z - rich.z).^2)(:));
+%! [none, few, more] = deal (off (motion ([4 4], [0 0])), off (motion ([4 4], [2 2])), off (motion ([4 4], [5 5])));
+%! assert (few < none/20);
+%! assert (more < few/3);
