@@ -24,7 +24,7 @@ function trial = trial_run (scene, rung)
     endif
     trial.error = strtrim (err.message);
     [trial.x, trial.y] = deal (NaN (21, numel (times)));
-    trial.count = [];
+    trial.count = struct ("method", "auto", "seconds", NaN, "calls", 0);
     trial.calls = 0;
   end_try_catch
   trial.seconds = toc (start);

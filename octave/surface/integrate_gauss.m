@@ -35,6 +35,9 @@ function [states, count] = integrate_gauss (system, times, tolerance, balance = 
       change = fine - coarse;
       [drift, largest] = energy_drift (system, y, fine, largest);
       error = max (system.size (change(1:n)), tolerance*drift/balance);
+      if (! all (isfinite (change)))
+        error = Inf;
+      endif
       [coarse, pieces] = deal (fine, m);
     until (error <= tolerance)
     m = m/(1 + (error < tolerance/16 && m > 2));
