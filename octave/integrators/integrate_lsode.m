@@ -19,7 +19,15 @@ function [states, steps] = integrate_lsode (formulas, system, times, y, solver)
       lsode_options ("maximum order", solver.order);
       cellfun (@(name) lsode_options (name, solver.step), {"initial step size", "minimum step size", "maximum step size"});
     endif
-    [states, state, message] = lsode (@(y, t) system.rate (t, y), y, times, times(end));
+    try
+      [states, state, message] = lsode (@(y, t) told_rate (system.rate, t, y), y, times, times(end));
+    catch err
+      raised = told_rate ();
+      if (isempty (raised))
+        rethrow (err);
+      endif
+      rethrow (raised);
+    end_try_catch
   unwind_protect_cleanup
     cellfun (@lsode_options, kept(:,1), kept(:,2));
   end_unwind_protect
@@ -38,6 +46,21 @@ function [states, steps] = integrate_lsode (formulas, system, times, y, solver)
   states = states.';
 endfunction
 
+## lsode does not say what its function raised: this one, called without arguments, does
+function y_dot = told_rate (rate, t, y)
+  persistent raised = [];
+  if (nargin == 0)
+    y_dot = raised;
+    return;
+  endif
+  raised = [];
+  try
+    y_dot = rate (t, y);
+  catch raised
+    rethrow (raised);
+  end_try_catch
+endfunction
+
 function settings = lsode_settings ()
   names = {"integration method"; "step limit"; "relative tolerance"; "absolute tolerance"; "maximum order"; ...
            "initial step size"; "minimum step size"; "maximum step size"};
@@ -54,3 +77,6 @@ endfunction
 %! assert (lsode_options ("relative tolerance"), before);
 %!error <lsode_bdf stopped at t = \d[.0-9]* s of 2 s: its>
 %! integrate_lsode ("bdf", struct ("mass", 1, "stiffness", 0, "state_scale", 1, "rate", @(t, y) y^2), 0:0.5:2, 1, struct ("tolerance", 1e-8));
+%!error <the moment is lost>
+%! system = struct ("mass", 1, "stiffness", 0, "state_scale", 1, "rate", @(t, y) error ("the moment is lost"));
+%! integrate_lsode ("adams", system, 0:2, 1, struct ("tolerance", 1e-8));
