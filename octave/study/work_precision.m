@@ -41,7 +41,7 @@ function table = work_precision (scene = "paper", varargin)
       row = point (scene, model, system, method, parameter, reference, 20/(1 - whole (method, parameter)));
       table = [table, row];
       report (row);
-      if (! isfinite (row.seconds) || (row.extrapolated && parameter < 2e-6))
+      if (strncmp (row.failure, "given up", 8) || (row.extrapolated && parameter < 2e-6))
         break;
       endif
     endfor
