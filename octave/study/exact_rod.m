@@ -3,7 +3,7 @@
 ## The top rung of the ladder of models: the geometrically exact rod, on the upright plane (see @code{surface_rod}), of
 ## a checked scene of the hinged rod, in [@var{modes} @var{modes}] polynomials.  A struct of x and y (21-by-m, m), the
 ## centreline at the frame times, and count.  Empty for a scene with what it has not: a hub, a force, a tip mass,
-## damping, an initial deformation.  It has no rotary inertia.
+## damping, an initial deformation.
 ## @end deftypefn
 
 function trial = exact_rod (scene, modes)
@@ -17,7 +17,8 @@ function trial = exact_rod (scene, modes)
   plane = struct ("surface", struct ("name", "plane", "inclination", pi/2, "side", 0), "ends", {{"hinge", "free"}}, ...
                   "gravity", scene.gravity, "moment", scene.moment, "moment_breaks", scene.moment_breaks, ...
                   "duration", scene.duration, "frames_per_second", scene.frames_per_second);
-  plane.rod = struct ("length", scene.rod.length, "EA", section.EA, "EI", section.EI, "rhoA", section.rhoA);
+  plane.rod = struct ("length", scene.rod.length, "EA", section.EA, "EI", section.EI, "rhoA", section.rhoA, ...
+                     "rhoI", section.rhoI);
   plane.initial.angle = scene.initial.phi;
   plane.initial.velocity = @(xi, alpha) scene.initial.phi_dot*[-alpha(2,:); alpha(1,:)];
   plane.model.modes = [modes modes];
@@ -32,8 +33,7 @@ endfunction
 
 %!test # a rod that hardly bends: the rigid pendulum
 %! scene = setfield (setfield (swing (), "duration", 0.1), "frames_per_second", 20);
-%! scene = check_scene (setfield (scene, "model", "rotary_inertia", false));
-%! scene.solver.tolerance = 1e-4;
+%! scene = setfield (check_scene (scene), "solver", "tolerance", 1e-4);
 %! rung = struct ("sines", [], "bending", 0, "longitudinal", 0, "axial", "none", "stiffening", "none");
 %! assert (distance (exact_rod (scene, 5), trial_run (scene, rung)) < 1e-4);
 %!test # a tip mass it has not

@@ -2,13 +2,11 @@
 ## @deftypefn {} {@var{table} =} model_ladder (@var{scene}, @var{option}, @var{value}, @dots{})
 ## The ladder of models of a scene, error against cost: each rung's centreline against that of the geometrically exact
 ## rod (see @code{exact_rod}), or, where that has not what the scene has, of 30 bending + 30 longitudinal modes with
-## foreshortening.  Rotary inertia, which the exact rod has not, is one of these where it moves any point by more than a
-## twentieth of the tolerance; the exact rod's error is then that against 30 + 30 modes without it.  Arguments as for
-## @code{driver}.
+## foreshortening; the error of the exact rod itself is its distance from these.  Arguments as for @code{driver}.
 ##
 ## Leaves models.csv, models.svg and models.png in the folder of the scene's output.  @var{table} is a struct array of
 ## model, method, error_m, seconds, calls, label (in the chart), stiffening, chosen and extrapolated.  The rungs are
-## integrated by `exponential', the chosen one by `ode45' too, and so are the paper's 7 + 7 sines, as they are: where
+## integrated as `auto' would, the chosen one by `ode45' too, and so are the paper's 7 + 7 sines, as they are: where
 ## that would take more than 4 million calls, the seconds are extrapolated from a part of the duration, and there is no
 ## error. Mechanisms and curved rods have a ladder of numbers of modes, see @code{convergence_ladder}.
 ## @end deftypefn
@@ -24,15 +22,10 @@ function table = model_ladder (scene = "paper", varargin)
   scene.solver.tolerance = tolerance_in_metres (scene);
   choice = choose_model (setfield (scene, "model", "modes", "auto"));
   rich = struct ("sines", [], "bending", 30, "longitudinal", 30, "axial", "dynamic", "stiffening", "foreshortening");
-  fine = setfield (scene, "solver", "tolerance", scene.solver.tolerance/50);
-  reference = with = trial_run (fine, rich);
-  without = with;
-  if (scene.model.rotary_inertia)
-    without = trial_run (setfield (fine, "model", "rotary_inertia", false), rich);
-  endif
+  richest = reference = trial_run (setfield (scene, "solver", "tolerance", scene.solver.tolerance/50), rich);
   exact = exact_rod (scene, 12);
-  if (! isempty (exact) && distance (with, without) <= scene.solver.tolerance/20)
-    reference = without = exact;
+  if (! isempty (exact))
+    reference = exact;
   endif
 
   table = struct ([]);
@@ -46,9 +39,9 @@ function table = model_ladder (scene = "paper", varargin)
   for rung = {chosen, sines}
     table = add (table, run_ode45 (scene, rung{1}, reference, chosen));
   endfor
-  table = add (table, row_of (rich, with.count, distance (with, reference), chosen));
+  table = add (table, row_of (rich, richest.count, distance (richest, reference), chosen));
   if (! isempty (exact))
-    row = row_of (chosen, exact.count, distance (exact, without), []);
+    row = row_of (chosen, exact.count, distance (exact, richest), []);
     [row.model, row.label] = deal ("geometrically exact, 12 + 12 polynomials", "exact");
     table = add (table, row);
   endif

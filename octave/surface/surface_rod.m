@@ -7,7 +7,8 @@
 ## Fields: n coordinates, initial_state, place (see @code{place_rod}), residual (t, z, z_dot, z_ddot) = mass times
 ## acceleration less forces (n-by-m, at m times), power (t, z, z_dot) of the loads, mass_matrix (z), rate, size (z),
 ## the largest displacement (m) that goes with a small change of z, fields (z, z_dot, z_ddot, stations) = arguments of
-## the surface's functions at stations of the rod, surface, rod (stiffnesses and mass as these functions take them),
+## the surface's functions at stations of the rod, turning (z), the matrix (p-by-n) that makes rates of rotation about
+## the normal of z_dot, surface, rod (stiffnesses and mass as these functions take them),
 ## points and weights (p-by-1, m, of the quadrature), breaks, state_scale, mass, stiffness (linear about the start),
 ## turned, duration.
 ## @end deftypefn
@@ -21,13 +22,15 @@ function system = surface_rod (scene)
   [system.points, system.weights] = deal (scene.rod.length*x, scene.rod.length*weights);
   r = scene.rod;
   system.rod = {r.rhoA, r.EA, r.EI, r.EI_normal, r.GJ, scene.gravity};
+  system.rhoI = r.rhoI;
   inside = rod_basis (scene, system.place, system.points);
   ends = rod_basis (scene, system.place, [0; r.length]);
   system.fields = @(z, z_dot, z_ddot, stations) fields_at (rod_basis (scene, system.place, stations), z, z_dot, ...
                                                            z_ddot);
+  system.turning = @(z) turning (z, inside, surface);
   system.residual = @(t, z, z_dot, z_ddot) residual (t, z, z_dot, z_ddot, inside, ends, system, scene);
   system.power = @(t, z, z_dot) sum (z_dot.*load_of (t, z, ends, system, scene), 1);
-  system.mass_matrix = @(z) mass_matrix (z, inside, system, r.rhoA);
+  system.mass_matrix = @(z) mass_matrix (z, inside, system, r);
   system.rate = @(t, y, interval) rate (t, y, interval, system);
   start = zeros (system.n, 1);
   velocity = system.place.basis.'*system.place.velocity;
@@ -59,17 +62,23 @@ function base = rod_basis (scene, place, stations)
   endfor
 endfunction
 
-## alpha1, alpha2, their slopes, second derivatives, rates and second rates: a row a station, a column a time
+## alpha1, alpha2, their slopes, second derivatives, rates, second rates, slopes of the rates and of the second rates: a
+## row a station, a column a time
 function fields = fields_at (b, z, z_dot, z_ddot)
   fields = {b.start_values{1} + b.values{1}*z, b.start_values{2} + b.values{2}*z, ...
             b.start_slopes{1} + b.slopes{1}*z, b.start_slopes{2} + b.slopes{2}*z, ...
             b.start_seconds{1} + b.seconds{1}*z, b.start_seconds{2} + b.seconds{2}*z, ...
-            b.values{1}*z_dot, b.values{2}*z_dot, b.values{1}*z_ddot, b.values{2}*z_ddot};
+            b.values{1}*z_dot, b.values{2}*z_dot, b.values{1}*z_ddot, b.values{2}*z_ddot, ...
+            b.slopes{1}*z_dot, b.slopes{2}*z_dot, b.slopes{1}*z_ddot, b.slopes{2}*z_ddot};
 endfunction
 
 function R = residual (t, z, z_dot, z_ddot, b, ends, system, scene)
   fields = fields_at (b, z, z_dot, z_ddot);
-  [d{1:6}] = system.surface.balance (fields{:}, system.rod{:});
+  [d{1:6}] = system.surface.balance (fields{1:10}, system.rod{:});
+  if (scene.rod.rhoI > 0)
+    [rotary{1:4}] = system.surface.rotary_balance (fields{[1:4, 7:8, 11:12, 9:10, 13:14]}, scene.rod.rhoI);
+    d(1:4) = cellfun (@plus, d(1:4), rotary, "uniformoutput", false);
+  endif
   w = system.weights;
   R = b.values{1}.'*(w.*d{1}) + b.values{2}.'*(w.*d{2}) + b.slopes{1}.'*(w.*d{3}) + b.slopes{2}.'*(w.*d{4}) ...
       + b.seconds{1}.'*(w.*d{5}) + b.seconds{2}.'*(w.*d{6}) - load_of (t, z, ends, system, scene);
@@ -87,13 +96,22 @@ function Q = load_of (t, z, ends, system, scene)
   Q = ends.values{1}.'*d{1} + ends.values{2}.'*d{2} + ends.slopes{1}.'*d{3} + ends.slopes{2}.'*d{4};
 endfunction
 
-function M = mass_matrix (z, b, system, rhoA)
+function A = turning (z, b, surface)
+  [per_rate{1:4}] = surface.turning (fields_at (b, z, z, z){1:4});
+  A = per_rate{1}.*b.values{1} + per_rate{2}.*b.values{2} + per_rate{3}.*b.slopes{1} + per_rate{4}.*b.slopes{2};
+endfunction
+
+function M = mass_matrix (z, b, system, rod)
   fields = fields_at (b, z, z, z);
-  [m_11, m_12, m_22] = system.surface.mass (fields{1:2}, rhoA);
+  [m_11, m_12, m_22] = system.surface.mass (fields{1:2}, rod.rhoA);
   w = system.weights;
   M = b.values{1}.'*((w.*m_11).*b.values{1}) + b.values{2}.'*((w.*m_22).*b.values{2});
   mixed = b.values{1}.'*((w.*m_12).*b.values{2});
   M += mixed + mixed.';
+  if (rod.rhoI > 0)
+    A = turning (z, b, system.surface);
+    M += A.'*(rod.rhoI*w.*A);
+  endif
 endfunction
 
 function y_dot = rate (t, y, interval, system)
@@ -114,7 +132,8 @@ endfunction
 
 %!function scene = pendulum ()
 %!  scene = struct ("surface", struct ("name", "torus", "core_radius", 1, "tube_radius", 0.4), "duration", 1, ...
-%!                  "rod", struct ("length", 1, "EA", 100, "EI", 0.1, "EI_normal", 0.2, "GJ", 0.3, "rhoA", 2), ...
+%!                  "rod", struct ("length", 1, "EA", 100, "EI", 0.1, "EI_normal", 0.2, "GJ", 0.3, "rhoA", 2, ...
+%!                                 "rhoI", 0.4), ...
 %!                  "ends", {{"hinge", "free"}}, "model", struct ("modes", [4 5]), ...
 %!                  "tip_moment", 0.3, "force", [1 2 3]);
 %!  scene.initial = struct ("angle", 1);

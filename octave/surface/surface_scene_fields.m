@@ -4,11 +4,12 @@
 ## @code{scene_fields}.
 ##
 ## Loads are a moment at the rod's start and one at its end, about the surface's normal, and a force at its end, fixed
-## in space.  The rod starts unstretched on a geodesic from initial.point at initial.angle from the chart's first
-## direction to its second, unless initial.shape gives its place.  The first of the ends is that of xi = 0.  On a
-## surface with a side the rod lies on that side of it (1: where the normal points, -1: the other), 0: it cannot leave
-## it.  The chart's coordinates along the rod are model.modes polynomials and model.sines sines beside the start.
-## A pixel's tolerance is half of one, where the rod fills the frame's smaller side.
+## in space.  Rotary inertia rhoI, per length, is that about the surface's normal.  The rod starts unstretched on a
+## geodesic from initial.point at initial.angle from the chart's first direction to its second, unless initial.shape
+## gives its place.  The first of the ends is that of xi = 0.  On a surface with a side the rod lies on that side of it
+## (1: where the normal points, -1: the other), 0: it cannot leave it.  The chart's coordinates along the rod are
+## model.modes polynomials and model.sines sines beside the start. A pixel's tolerance is half of one, where the rod
+## fills the frame's smaller side.
 ## @end deftypefn
 
 function fields = surface_scene_fields ()
@@ -20,6 +21,7 @@ function fields = surface_scene_fields ()
     "rod.EI_normal",       [],                 "nonnegative number in N m^2"
     "rod.GJ",              0,                  "nonnegative number in N m^2"
     "rod.rhoA",            NaN,                "positive number in kg/m"
+    "rod.rhoI",            0,                  "nonnegative number in kg m"
     "rod.half_height",     [],                 "positive number in m"
     "ends",                {"free", "free"},   "two of \"free\", \"hinge\" and \"clamped\""
     "gravity",             9.81,               "number in m/s^2"
