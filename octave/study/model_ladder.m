@@ -72,16 +72,14 @@ endfunction
 
 function row = row_of (rung, method, error_m, seconds, calls, chosen)
   row = struct ("model", rung_name (rung), "method", method, "error_m", error_m, "seconds", seconds, ...
-                "calls", calls, ...
-                "label", rung_label (rung), "stiffening", rung.stiffening, "chosen", isequal (rung, chosen), ...
-                "extrapolated", false);
+                "calls", calls, "label", rung_label (rung), "stiffening", rung.stiffening, ...
+                "chosen", isequal (rung, chosen), "extrapolated", false);
 endfunction
 
 function table = add (table, row)
   table = [table, row];
   printf ("  %-62s %-11s %8.2g m %8.2f s %8d calls%s\n", row.model, row.method, row.error_m, row.seconds, ...
-          row.calls, ...
-          {"", " <-"}{1 + row.chosen});
+          row.calls, {"", " <-"}{1 + row.chosen});
 endfunction
 
 %!test # a rigid rod is enough, and the table has it

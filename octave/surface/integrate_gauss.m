@@ -6,8 +6,8 @@
 ##
 ## Between two times, and between breaks of the loads, as many equal steps are taken, doubled again and again, as bring
 ## the last doubling's change of place within @var{solver}.tolerance (m), and the energy balance within 3e-9.
-## Oscillations of stretching too fast for that
-## keep their energy, not their phase.  @var{count}: method, steps, calls of the residual (a column each) and seconds.
+## Oscillations of stretching too fast for that keep their energy, not their phase.  @var{count}: method, steps, calls
+## of the residual (a column each) and seconds.
 ## @end deftypefn
 
 function [states, count] = integrate_gauss (system, times, solver)
@@ -25,9 +25,9 @@ function [states, count] = integrate_gauss (system, times, solver)
     do
       m = 2*pieces;
       if (m > 2^13)
+        remedy = sprintf ("a larger tolerance than %.2g m", solver.tolerance);
         stop_integration ("gauss", system, interval(1), times(end), diff (interval)/m, ...
-                          "its steps shrank to nothing", ...
-                          sprintf ("a larger tolerance than %.2g m", solver.tolerance));
+                          "its steps shrank to nothing", remedy);
       endif
       fine = march (system, method, interval, y, m);
       steps += 3*pieces;
