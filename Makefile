@@ -8,12 +8,15 @@ VERSION = 1.0
 
 export SCENE MODES SOLVER TOLERANCE SIZE OUTPUT OCTAVE
 run_octave = $(OCTAVE) --no-gui --no-history --quiet
+derive_everything = maxima/derive "$(GENERATED)" "$(MODES_LITERAL)"
+derive_surface = maxima/derive_surface "$(or $(OUTPUT),output/surfaces)" "$(SURFACE)"
 
 .PHONY: help setup derive equations simulate models chart stability choices surfaces conditioning check fuzz clean dist
 
 help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
-	@echo 'make simulate    simulate and draw SCENE=paper (or a file) [MODES="7 7" SOLVER=ode45 TOLERANCE=1e-6 SIZE=1920x1080 OUTPUT=folder]'
+	@echo 'make simulate    simulate and draw SCENE=paper (or a file)' \
+		'[MODES="7 7" SOLVER=ode45 TOLERANCE=1e-6 SIZE=1920x1080 OUTPUT=folder]'
 	@echo 'make models      the ladder of models of SCENE=paper, error against seconds: table and chart'
 	@echo 'make derive      derive all equations and translate them into generated/ [MODES="7 7" of the literal form]'
 	@echo 'make derive SURFACE=file    derive a surface of one'"'"'s own into output/surfaces/'
@@ -32,7 +35,7 @@ setup:
 	@.ci/setup
 
 derive:
-	@$(if $(SURFACE),maxima/derive_surface "$(or $(OUTPUT),output/surfaces)" "$(SURFACE)",maxima/derive "$(GENERATED)" "$(MODES_LITERAL)")
+	@$(if $(SURFACE),$(derive_surface),$(derive_everything))
 
 equations:
 	@maxima/write_equations "$(or $(OUTPUT),output)" "$(or $(MODES),2 2)"

@@ -60,7 +60,8 @@ function dot_node(left, right,    id)
 {
   must_be_number(left, "dot")
   must_be_number(right, "dot")
-  if (rows_of(node_shape[left]) != rows_of(node_shape[right]) || !is_column(node_shape[left]) || !is_column(node_shape[right]))
+  if (rows_of(node_shape[left]) != rows_of(node_shape[right]) ||
+      !is_column(node_shape[left]) || !is_column(node_shape[right]))
     fail("dot wants two columns of one size, not " node_shape[left] " and " node_shape[right])
   if (node_shape[left] node_shape[right] ~ /times.*times/) {
     id = call_node("sum", binary_node("*", left, right), number_node("1"))

@@ -6,8 +6,9 @@ BEGIN {
   left_power["."] = 130; right_power["."] = 129
   left_power["*"] = right_power["*"] = left_power["/"] = right_power["/"] = 120
   left_power["+"] = right_power["+"] = left_power["-"] = right_power["-"] = 100
-  left_power["="] = left_power["#"] = left_power["<"] = left_power["<="] = left_power[">"] = left_power[">="] = 80
-  right_power["="] = right_power["#"] = right_power["<"] = right_power["<="] = right_power[">"] = right_power[">="] = 80
+  left_power["="] = right_power["="] = left_power["#"] = right_power["#"] = 80
+  left_power["<"] = left_power["<="] = left_power[">"] = left_power[">="] = 80
+  right_power["<"] = right_power["<="] = right_power[">"] = right_power[">="] = 80
   left_power["and"] = right_power["and"] = 65
   left_power["or"] = right_power["or"] = 60
   sign_power = 134

@@ -1,6 +1,6 @@
-# For derive and write_equations, which have set command, folder and modes ("N1 N2") and read this file: a folder `aside'
-# in `folder', gone at the end, and maxima_aside FILE STATEMENT to run Maxima with these modes. What it makes there is
-# moved out when whole: an interrupted command changes nothing, or leaves whole files.
+# For derive and write_equations, which have set command, folder and modes ("N1 N2") and read this file: a folder
+# `aside' in `folder', gone at the end, and maxima_aside FILE STATEMENT to run Maxima with these modes. What it makes
+# there is moved out when whole: an interrupted command changes nothing, or leaves whole files.
 here=$(cd "$(dirname "$0")" && pwd)
 
 printf '%s\n' "$modes" | grep -Eqx '[0-9]{1,3} +[0-9]{1,3}' || {

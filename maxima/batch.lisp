@@ -13,4 +13,5 @@
 ;;; "Is length positive?" would be asked for ever where nobody answers.
 (defun retrieve (question flag)
   (declare (ignore flag))
-  (merror "Maxima asks a question (assume its answer): ~M" (cons '(mtext) (if (listp question) (cdr question) (list question)))))
+  (merror "Maxima asks a question (assume its answer): ~M"
+          (cons '(mtext) (if (listp question) (cdr question) (list question)))))

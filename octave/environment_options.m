@@ -32,7 +32,8 @@ endfunction
 %! unwind_protect
 %!   setenv ("MODES", "0 4"); setenv ("TOLERANCE", "1e-6"); setenv ("OUTPUT", "a folder"); setenv ("SCENE", "");
 %!   setenv ("SOLVER", ""); setenv ("SIZE", "640x360");
-%!   assert (environment_options (), {"paper", "modes", [0 4], "tolerance", 1e-6, "size", [640 360], "output", "a folder"});
+%!   assert (environment_options (), {"paper", "modes", [0 4], "tolerance", 1e-6, "size", [640 360], ...
+%!                                    "output", "a folder"});
 %! unwind_protect_cleanup
 %!   cellfun (@(name) setenv (name, ""), {"MODES", "TOLERANCE", "SIZE", "OUTPUT"});
 %! end_unwind_protect

@@ -39,4 +39,5 @@ endfunction
 %!assert (repeat_command ("paper", {}), "make simulate SCENE=paper")
 %!assert (repeat_command ("my rod.m", {"modes", [7 7], "tolerance", 1e-6}), ...
 %!        "make simulate SCENE='my rod.m' MODES='7 7' TOLERANCE=1e-06")
-%!assert (repeat_command (struct (), {"solver", "rk4", "modes", [1 2]}), "driver (scene, \"solver\", \"rk4\", \"modes\", [1 2])")
+%!assert (repeat_command (struct (), {"solver", "rk4", "modes", [1 2]}), ...
+%!        "driver (scene, \"solver\", \"rk4\", \"modes\", [1 2])")

@@ -1,5 +1,5 @@
-## What `make simulate', `make models' and so on run: the function `command' with the arguments of the environment; an error
-## is one line and status 1.
+## What `make simulate', `make models' and so on run: the function `command' with the arguments of the environment; an
+## error is one line and status 1.
 try
   command (environment_options (){:});
 catch err

@@ -1,13 +1,16 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{a}, @var{lambda}, @var{at}] =} constrained_accelerations (@var{system}, @var{t}, @var{q}, @var{v}, @var{correction})
-## Accelerations (n-by-1) and multipliers from M a + Phi_q' lambda = f and Phi'' = @var{correction} (constraints), by default
-## 0, in the state @var{q}, @var{v} at the time @var{t} (s), and all that was evaluated there (see @code{mechanism_system}).
+## @deftypefn {} {[@var{a}, @var{lambda}, @var{at}] =} constrained_accelerations (@var{system}, @var{t}, @var{q}, @
+##   @var{v}, @var{correction})
+## Accelerations (n-by-1) and multipliers from M a + Phi_q' lambda = f and Phi'' = @var{correction} (constraints), by
+## default 0, in the state @var{q}, @var{v} at the time @var{t} (s), and all that was evaluated there (see
+## @code{mechanism_system}).
 ## @end deftypefn
 
 function [a, lambda, at] = constrained_accelerations (system, t, q, v, correction = @(constraints) 0)
   at = system.at (t, q, v);
   [mass, jacobian] = system.matrices (at);
-  [a, lambda] = saddle_solve (system, t, mass, jacobian, at.force, correction (at.constraints) - at.constraints.convection);
+  [a, lambda] = saddle_solve (system, t, mass, jacobian, at.force, ...
+                              correction (at.constraints) - at.constraints.convection);
 endfunction
 
 %!test # they keep the constraints' second rates

@@ -63,7 +63,8 @@ function [z, converged] = step (t, z, c, h, system)
 endfunction
 
 %!function system = pendulum ()   # a rigid rod of 1 m, let go from the horizontal
-%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 2), "model", struct ("modes", [0 0]))};
+%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 2), ...
+%!                         "model", struct ("modes", [0 0]))};
 %!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
 %!  scene.duration = 1;
 %!  scene = check_mechanism (scene);
@@ -72,7 +73,8 @@ endfunction
 %!function [phi, states] = turned (name, t, field = "tolerance", value = 1e-8)
 %!  system = pendulum ();
 %!  solver = struct ("name", name, "tolerance", 1e-8, "step", [], "rho_infinity", 0.9, "baumgarte", 50);
-%!  states = integrate_constrained (system, t, struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0), setfield (solver, field, value));
+%!  start = struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0);
+%!  states = integrate_constrained (system, t, start, setfield (solver, field, value));
 %!  phi = states.q(1,:);
 %!endfunction
 %!function phi = exact (t)   # by the elliptic function: phi_ddot = -3/2 g/l cos (phi) from rest at 0

@@ -1,10 +1,12 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_accelerations (@var{how}, @var{system}, @var{times}, @var{start}, @var{solver})
+## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_accelerations (@var{how}, @var{system}, @var{times}, @
+##   @var{start}, @var{solver})
 ## The mechanism's accelerations, index 1, by ode45 with @var{solver}.tolerance (m), or in steps of @var{solver}.step.
 ##
-## @var{how} is "acceleration": Phi'' = 0 alone, from which Phi drifts as the square of time; "baumgarte": Phi'' + 2 r Phi' +
-## r^2 Phi = 0 with r = @var{solver}.baumgarte (1/s; Baumgarte, Comput. Methods Appl. Mech. Eng. 1, 1972); "projection":
-## positions and velocities are brought back onto their constraints, in the mass metric, at each of the @var{times}.
+## @var{how} is "acceleration": Phi'' = 0 alone, from which Phi drifts as the square of time; "baumgarte": Phi'' +
+## 2 r Phi' + r^2 Phi = 0 with r = @var{solver}.baumgarte (1/s; Baumgarte, Comput. Methods Appl. Mech. Eng. 1,
+## 1972); "projection": positions and velocities are brought back onto their constraints, in the mass metric, at
+## each of the @var{times}.
 ## @end deftypefn
 
 function [states, steps] = integrate_accelerations (how, system, times, start, solver)
@@ -34,7 +36,8 @@ function [states, steps] = integrate_accelerations (how, system, times, start, s
 endfunction
 
 %!function system = pendulum ()   # a rigid rod of 1 m, let go from the horizontal
-%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 2), "model", struct ("modes", [0 0]))};
+%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 2), ...
+%!                         "model", struct ("modes", [0 0]))};
 %!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
 %!  scene.duration = 1;
 %!  scene = check_mechanism (scene);
@@ -43,7 +46,8 @@ endfunction
 %!function [phi, states] = turned (name, t, field = "tolerance", value = 1e-8)
 %!  system = pendulum ();
 %!  solver = struct ("name", name, "tolerance", 1e-8, "step", [], "rho_infinity", 0.9, "baumgarte", 50);
-%!  states = integrate_constrained (system, t, struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0), setfield (solver, field, value));
+%!  start = struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0);
+%!  states = integrate_constrained (system, t, start, setfield (solver, field, value));
 %!  phi = states.q(1,:);
 %!endfunction
 %!function phi = exact (t)   # by the elliptic function: phi_ddot = -3/2 g/l cos (phi) from rest at 0

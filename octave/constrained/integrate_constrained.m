@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{states}, @var{count}] =} integrate_constrained (@var{system}, @var{times}, @var{start}, @var{solver})
-## The states of a mechanism (see @code{mechanism_system}) at the @var{times} (1-by-m, s), from the state @var{start}, by
-## the method @var{solver}.name of @code{constrained_table}; "auto" is "radau".  Between two breaks of the loads every
-## interval is integrated for itself.
+## @deftypefn {} {[@var{states}, @var{count}] =} integrate_constrained (@var{system}, @var{times}, @var{start}, @
+##   @var{solver})
+## The states of a mechanism (see @code{mechanism_system}) at the @var{times} (1-by-m, s), from the state @var{start},
+## by the method @var{solver}.name of @code{constrained_table}; "auto" is "radau".  Between two breaks of the loads
+## every interval is integrated for itself.
 ##
 ## @var{states}: q, v (n-by-m), lambda (constraints-by-m), W, D (1-by-m).  @var{count}: method, steps, calls, seconds.
 ## @end deftypefn
@@ -37,7 +38,8 @@ function system = within (system, interval)
 endfunction
 
 %!function system = pendulum ()   # a rigid rod of 1 m, let go from the horizontal
-%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 2), "model", struct ("modes", [0 0]))};
+%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 2), ...
+%!                         "model", struct ("modes", [0 0]))};
 %!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
 %!  scene.duration = 1;
 %!  scene = check_mechanism (scene);
@@ -46,7 +48,8 @@ endfunction
 %!function [phi, states] = turned (name, t, field = "tolerance", value = 1e-8)
 %!  system = pendulum ();
 %!  solver = struct ("name", name, "tolerance", 1e-8, "step", [], "rho_infinity", 0.9, "baumgarte", 50);
-%!  states = integrate_constrained (system, t, struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0), setfield (solver, field, value));
+%!  start = struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0);
+%!  states = integrate_constrained (system, t, start, setfield (solver, field, value));
 %!  phi = states.q(1,:);
 %!endfunction
 %!function phi = exact (t)   # by the elliptic function: phi_ddot = -3/2 g/l cos (phi) from rest at 0

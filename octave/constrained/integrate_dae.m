@@ -1,8 +1,10 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_dae (@var{code}, @var{system}, @var{times}, @var{start}, @var{solver})
+## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_dae (@var{code}, @var{system}, @var{times}, @var{start}, @
+##   @var{solver})
 ## Octave's DAE codes, @var{code} = "ode15i" (IDA of SUNDIALS) or "daspk" (Brown, Hindmarsh and Petzold, 1994), on the
-## stabilised index-2 formulation of @code{integrate_radau} in y = (q; v; lambda; mu; W; D), with @var{solver}.tolerance (m).
-## Multipliers are left out of the error test (daspk), or have a wide tolerance (ode15i).  @var{steps} is not known: NaN.
+## stabilised index-2 formulation of @code{integrate_radau} in y = (q; v; lambda; mu; W; D), with
+## @var{solver}.tolerance (m).  Multipliers are left out of the error test (daspk), or have a wide tolerance (ode15i).
+## @var{steps} is not known: NaN.
 ## @end deftypefn
 
 function [states, steps] = integrate_dae (code, system, times, start, solver)
@@ -25,7 +27,8 @@ function [states, steps] = integrate_dae (code, system, times, start, solver)
       stop_integration (code, system, times(max (k - 1, 1)), system.duration, NaN, "it gave up", "a larger tolerance");
     endif
     y = reached(k,:).';
-    states = keep (states, k, struct ("q", y(1:n), "v", y(n+1:2*n), "lambda", y(2*n+1:2*n+c), "W", y(end-1), "D", y(end)));
+    states = keep (states, k, struct ("q", y(1:n), "v", y(n+1:2*n), "lambda", y(2*n+1:2*n+c), ...
+                                      "W", y(end-1), "D", y(end)));
   endfor
 endfunction
 
@@ -42,8 +45,8 @@ function r = equations (t, y, y_dot, system)
 endfunction
 
 function reached = by_daspk (residual, times, y, y_dot, scale, algebraic)
-  kept = {"absolute tolerance", "relative tolerance", "algebraic variables", "exclude algebraic variables from error test", ...
-          "compute consistent initial condition"};
+  kept = {"absolute tolerance", "relative tolerance", "algebraic variables", ...
+          "exclude algebraic variables from error test", "compute consistent initial condition"};
   before = cellfun (@(name) daspk_options (name), kept, "uniformoutput", false);
   unwind_protect
     daspk_options ("relative tolerance", 0*scale);
@@ -73,7 +76,8 @@ function reached = by_ode15i (residual, times, y, y_dot, scale, algebraic)
 endfunction
 
 %!function system = pendulum ()   # a rigid rod of 1 m, let go from the horizontal
-%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 2), "model", struct ("modes", [0 0]))};
+%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 2), ...
+%!                         "model", struct ("modes", [0 0]))};
 %!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
 %!  scene.duration = 1;
 %!  scene = check_mechanism (scene);
@@ -82,7 +86,8 @@ endfunction
 %!function [phi, states] = turned (name, t, field = "tolerance", value = 1e-8)
 %!  system = pendulum ();
 %!  solver = struct ("name", name, "tolerance", 1e-8, "step", [], "rho_infinity", 0.9, "baumgarte", 50);
-%!  states = integrate_constrained (system, t, struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0), setfield (solver, field, value));
+%!  start = struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0);
+%!  states = integrate_constrained (system, t, start, setfield (solver, field, value));
 %!  phi = states.q(1,:);
 %!endfunction
 %!function phi = exact (t)   # by the elliptic function: phi_ddot = -3/2 g/l cos (phi) from rest at 0

@@ -32,14 +32,16 @@ function [states, steps] = integrate_radau (system, times, start, solver)
         refused++;
       endif
       if (h < 1e-10*system.duration || refused > 30)
-        stop_integration ("radau", system, t, system.duration, h, why, "a larger tolerance, or a look at the mechanism there");
+        stop_integration ("radau", system, t, system.duration, h, why, ...
+                          "a larger tolerance, or a look at the mechanism there");
       endif
     endwhile
     states = keep (states, k, y);
   endfor
 endfunction
 
-## @var{s} stages, odd: collocation at the zeros of d^(s-1)/dx^(s-1) (x^(s-1) (x - 1)^s); error formula of Hairer and Wanner
+## @var{s} stages, odd: collocation at the zeros of d^(s-1)/dx^(s-1) (x^(s-1) (x - 1)^s); error formula
+## of Hairer and Wanner
 function rule = radau_rule (s)
   p = 1;
   for k = 1:2*s-1
@@ -63,7 +65,8 @@ function rule = radau_rule (s)
 endfunction
 
 %!function system = pendulum ()   # a rigid rod of 1 m, let go from the horizontal
-%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 2), "model", struct ("modes", [0 0]))};
+%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 2), ...
+%!                         "model", struct ("modes", [0 0]))};
 %!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
 %!  scene.duration = 1;
 %!  scene = check_mechanism (scene);
@@ -72,7 +75,8 @@ endfunction
 %!function [phi, states] = turned (name, t, field = "tolerance", value = 1e-8)
 %!  system = pendulum ();
 %!  solver = struct ("name", name, "tolerance", 1e-8, "step", [], "rho_infinity", 0.9, "baumgarte", 50);
-%!  states = integrate_constrained (system, t, struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0), setfield (solver, field, value));
+%!  start = struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0);
+%!  states = integrate_constrained (system, t, start, setfield (solver, field, value));
 %!  phi = states.q(1,:);
 %!endfunction
 %!function phi = exact (t)   # by the elliptic function: phi_ddot = -3/2 g/l cos (phi) from rest at 0
@@ -88,4 +92,5 @@ endfunction
 %! system = pendulum ();
 %! system.mechanism.loads = struct ("value", @(t) 1/(t < 0.4) - 1/(t < 0.4), "parts", 3, "first", 1, "second", 2);
 %! scene = struct ("duration", 1, "breaks", []);
-%! integrate_radau (mechanism_system (scene, system.mechanism), [0 1], struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0), struct ("tolerance", 1e-6));
+%! start = struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0);
+%! integrate_radau (mechanism_system (scene, system.mechanism), [0 1], start, struct ("tolerance", 1e-6));

@@ -9,4 +9,5 @@ function states = keep (states, k, y)
   endfor
 endfunction
 
-%!assert (keep (struct ("q", 0, "v", 0, "lambda", 0, "W", 0, "D", 0), 2, struct ("q", 1, "v", 2, "lambda", 3, "W", 4, "D", 5)).D, [0 5])
+%!assert (keep (struct ("q", 0, "v", 0, "lambda", 0, "W", 0, "D", 0), 2, ...
+%!              struct ("q", 1, "v", 2, "lambda", 3, "W", 4, "D", 5)).D, [0 5])

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{q}, @var{residual}] =} project_positions (@var{system}, @var{t}, @var{q}, @var{seconds})
-## The coordinates near @var{q} (n-by-1) that meet the constraints at the time @var{t} (s), by Newton's iteration with the
-## shortest steps in the mass metric, and the largest @var{residual} left.  Stiffness times @var{seconds}^2 (0) is added to the
-## mass: with a second, rods are rather moved than bent.
+## The coordinates near @var{q} (n-by-1) that meet the constraints at the time @var{t} (s), by Newton's iteration with
+## the shortest steps in the mass metric, and the largest @var{residual} left.  Stiffness times @var{seconds}^2 (0) is
+## added to the mass: with a second, rods are rather moved than bent.
 ## @end deftypefn
 
 function [q, residual] = project_positions (system, t, q, seconds = 0)

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{v} =} project_velocities (@var{system}, @var{t}, @var{q}, @var{v})
-## The velocities nearest to @var{v} (n-by-1), in the mass metric, that meet the constraints' rates at the time @var{t} (s) in
-## the position @var{q}.
+## The velocities nearest to @var{v} (n-by-1), in the mass metric, that meet the constraints' rates at the time
+## @var{t} (s) in the position @var{q}.
 ## @end deftypefn
 
 function v = project_velocities (system, t, q, v)

@@ -1,5 +1,6 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{factors} =} radau_factors (@var{rule}, @var{h}, @var{M}, @var{K}, @var{D}, @var{J}, @var{S}, @var{springs})
+## @deftypefn {} {@var{factors} =} radau_factors (@var{rule}, @var{h}, @var{M}, @var{K}, @var{D}, @var{J}, @var{S}, @
+##   @var{springs})
 ## The factorised matrices of Newton's iteration in a step of @var{h} (s) of @code{radau_step}, one for the real
 ## eigenvalue of the @var{rule} and one for each pair: a struct of L, U, P, Q (cells), h, unit (kg), compliance
 ## (springs-by-1).

@@ -1,5 +1,6 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{next}, @var{error_ratio}, @var{stages}, @var{why}] =} radau_step (@var{system}, @var{rule}, @var{t}, @var{y}, @var{h}, @var{last}, @var{tolerance})
+## @deftypefn {} {[@var{next}, @var{error_ratio}, @var{stages}, @var{why}] =} radau_step (@var{system}, @var{rule}, @
+##   @var{t}, @var{y}, @var{h}, @var{last}, @var{tolerance})
 ## One step of @code{integrate_radau} from the state @var{y} (q, v, a, lambda, sigma, W, D) at @var{t} to t + @var{h}
 ## (s).  The @var{stages} of the @var{last} step give the first guess.  @var{error_ratio} > 1: refused, and @var{why}.
 ##
@@ -43,8 +44,8 @@ function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, l
     [before, change] = deal (change, max (max (abs ([step(1:n,:); h*step(n+1:2*n,:)])./[scale; scale])));
     if (! (change < 1e8) || (iteration > 3 && change > 0.9*before && change > 1e-6))
       return;
-    elseif (change <= 1e-3 && max (abs (at.constraints.residual)(:)) <= 1e-11 && max (abs (at.constraints.velocity)(:)) <= 1e-9 ...
-            || change < 1e-7)
+    elseif (change <= 1e-3 && max (abs (at.constraints.residual)(:)) <= 1e-11 ...
+            && max (abs (at.constraints.velocity)(:)) <= 1e-9 || change < 1e-7)
       why = "its steps shrank to nothing";
       break;
     endif

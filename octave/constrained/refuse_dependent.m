@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} refuse_dependent (@var{system}, @var{t}, @var{jacobian})
-## An error that names the joints whose constraints depend on those of the others at the time @var{t} (s), by the rank of
-## their @var{jacobian}; nothing where there are none and t is 0.
+## An error that names the joints whose constraints depend on those of the others at the time @var{t} (s), by the rank
+## of their @var{jacobian}; nothing where there are none and t is 0.
 ## @end deftypefn
 
 function refuse_dependent (system, t, jacobian)
@@ -14,7 +14,8 @@ function refuse_dependent (system, t, jacobian)
     scene_error ("at t = %g s %d of %d constraints depend on the others, those of %s: %s", t, numel (spare), ...
                  rows (jacobian), strjoin (names, ", "), "take a joint of another kind there, or none");
   elseif (t > 0)
-    stop_integration ("mechanism", system, t, system.duration, NaN, "its equations have no unique solution", "other joints");
+    stop_integration ("mechanism", system, t, system.duration, NaN, "its equations have no unique solution", ...
+                      "other joints");
   endif
 endfunction
 

@@ -1,5 +1,6 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{x}, @var{lambda}] =} saddle_solve (@var{system}, @var{t}, @var{mass}, @var{jacobian}, @var{f}, @var{g}, @var{compliance})
+## @deftypefn {} {[@var{x}, @var{lambda}] =} saddle_solve (@var{system}, @var{t}, @var{mass}, @var{jacobian}, @
+##   @var{f}, @var{g}, @var{compliance})
 ## Solve mass x + jacobian' lambda = f, jacobian x - compliance lambda = g; @var{compliance} (a number a row of the
 ## jacobian, or 0) is that of springs, whose rows follow those of the joints.  Where that has no unique solution, at
 ## the time @var{t} (s), it is an error that names the joints whose constraints depend on each other.

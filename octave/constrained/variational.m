@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{stepper} =} variational (@var{ode}, @var{h}, @var{solver})
-## The variational integrator of the midpoint rule with constraints (Marsden and West, Acta Numerica 10, 2001; as RATTLE does,
-## positions and momenta meet their constraints after every step) in steps of @var{h} (s), for @code{integrate_fixed}.
-## It is symplectic: energy has no trend.  Damping and loads act as forces at the midpoint; springs' tensions there are
-## unknowns, as in @code{radau_step}.
+## The variational integrator of the midpoint rule with constraints (Marsden and West, Acta Numerica 10, 2001; as
+## RATTLE does, positions and momenta meet their constraints after every step) in steps of @var{h} (s), for
+## @code{integrate_fixed}.  It is symplectic: energy has no trend.  Damping and loads act as forces at the midpoint;
+## springs' tensions there are unknowns, as in @code{radau_step}.
 ## @end deftypefn
 
 function stepper = variational (ode, h, solver)
@@ -62,7 +62,8 @@ function [z, converged] = step (t, z, h, system)
 endfunction
 
 %!function system = pendulum ()   # a rigid rod of 1 m, let go from the horizontal
-%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 2), "model", struct ("modes", [0 0]))};
+%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 2), ...
+%!                         "model", struct ("modes", [0 0]))};
 %!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
 %!  scene.duration = 1;
 %!  scene = check_mechanism (scene);
@@ -71,7 +72,8 @@ endfunction
 %!function [phi, states] = turned (name, t, field = "tolerance", value = 1e-8)
 %!  system = pendulum ();
 %!  solver = struct ("name", name, "tolerance", 1e-8, "step", [], "rho_infinity", 0.9, "baumgarte", 50);
-%!  states = integrate_constrained (system, t, struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0), setfield (solver, field, value));
+%!  start = struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0);
+%!  states = integrate_constrained (system, t, start, setfield (solver, field, value));
 %!  phi = states.q(1,:);
 %!endfunction
 %!function phi = exact (t)   # by the elliptic function: phi_ddot = -3/2 g/l cos (phi) from rest at 0

@@ -1,18 +1,19 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} check_curvature (@var{rod}, @var{of})
-## An error where the curvature of a scene's @var{rod} has values that are no numbers, or are too large for its half_height;
-## @var{of} stands before the name of the field.
+## An error where the curvature of a scene's @var{rod} has values that are no numbers, or are too large for its
+## half_height; @var{of} stands before the name of the field.
 ## @end deftypefn
 
 function check_curvature (rod, of)
   breaks = rod.curvature_breaks;
   if (any (breaks < 0 | breaks > rod.length))
-    scene_error ("%srod.curvature_breaks are [%s]: they take stations from 0 to %g m", of, num2str (breaks(:).'), rod.length);
+    scene_error ("%srod.curvature_breaks are [%s]: they take stations from 0 to %g m", of, ...
+                 num2str (breaks(:).'), rod.length);
   endif
   largest = max (abs (rod_axis (rod, 16).kappa));
   if ([rod.half_height, 0](1)*largest >= 1)
-    scene_error ("%srod.curvature reaches %.3g 1/m: with a half_height of %g m it takes less than %.3g", of, largest, ...
-                 rod.half_height, 1/rod.half_height);
+    scene_error ("%srod.curvature reaches %.3g 1/m: with a half_height of %g m it takes less than %.3g", ...
+                 of, largest, rod.half_height, 1/rod.half_height);
   endif
 endfunction
 

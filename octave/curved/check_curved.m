@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} check_curved (@var{scene})
-## An error where a scene asks for what its curved rod does not take, or its curvature is none (see @code{check_curvature}).
+## An error where a scene asks for what its curved rod does not take, or its curvature is none
+## (see @code{check_curvature}).
 ## @end deftypefn
 
 function check_curved (scene)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{choice} =} choose_curved (@var{scene})
 ## The fewest base functions of a curved rod whose centreline is within the scene's tolerance in every frame, for
-## model.modes = "auto": [N1 N2] grows by half until twice as many move no point by more than 95 % of it.  @var{choice} is like that of
-## @code{choose_model}.
+## model.modes = "auto": [N1 N2] grows by half until twice as many move no point by more than 95 % of it.  @var{choice}
+## is like that of @code{choose_model}.
 ## @end deftypefn
 
 function choice = choose_curved (scene)

@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{arrays} =} curved_arrays (@var{base}, @var{axis}, @var{section}, @var{rod})
-## The coefficient arrays of a curved hinged rod, as @code{rod_arrays} has them of a straight one, by Gauss quadrature of the derived
-## densities; @var{section} comes from @code{rod_section}, and the paper's energy takes the width, half_height, lambda, mu of @var{rod} (else []).
+## The coefficient arrays of a curved hinged rod, as @code{rod_arrays} has them of a straight one, by Gauss quadrature
+## of the derived densities; @var{section} comes from @code{rod_section}, and the paper's energy takes the width,
+## half_height, lambda, mu of @var{rod} (else []).
 ## @end deftypefn
 
 function arrays = curved_arrays (base, axis, section, rod)
@@ -19,7 +20,8 @@ function arrays = curved_arrays (base, axis, section, rod)
   pair = cellfun (at, {f.u_1, f.u_2, f.e, f.chi}, "uniformoutput", false);
   pair = vertcat (pair{:});
   every = ones (1, n*n);
-  [M, G] = curved_rod_pairs (pair{:,1}, pair{:,2}, axis.theta(:)*every, axis.kappa(:)*every, section.rhoA, section.rhoI);
+  [M, G] = curved_rod_pairs (pair{:,1}, pair{:,2}, axis.theta(:)*every, axis.kappa(:)*every, ...
+                             section.rhoA, section.rhoI);
   strain = cellfun (at, {f.e, f.e_slope, f.bend}, "uniformoutput", false);
   strain = vertcat (strain{:});
   if (isempty (rod))

@@ -4,8 +4,8 @@
 ## @code{curved_functions}): with its axis (see @code{rod_axis}) and turned, and their @var{arrays} (see
 ## @code{curved_arrays}).  @var{energy} is the scene's model.energy.
 ##
-## They are turned back so that they have no angular momentum (the frame of Tisserand): else they come near a rotation of
-## the whole rod.  `make conditioning' shows what this makes of the mass matrix's condition.
+## They are turned back so that they have no angular momentum (the frame of Tisserand): else they come near a rotation
+## of the whole rod.  `make conditioning' shows what this makes of the mass matrix's condition.
 ## @end deftypefn
 
 function [base, arrays] = curved_base (base, rod, section, energy)

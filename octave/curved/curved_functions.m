@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{f} =} curved_functions (@var{base}, @var{axis}, @var{stations})
-## The base functions of a curved rod at the @var{stations} (p numbers, m), p-by-n each: u_1, u_2 (displacements along and across the frame's x), e
-## (stretching), e_slope, chi (turning of the tangent), bend (change of the curvature).  The straight rod's base functions stand for what
-## stretches and what turns, e = v1,1 and chi = v2,1; displacements are their integrals along the curve, so that bending
-## does not stretch.
+## The base functions of a curved rod at the @var{stations} (p numbers, m), p-by-n each: u_1, u_2 (displacements along
+## and across the frame's x), e (stretching), e_slope, chi (turning of the tangent), bend (change of the curvature).
+## The straight rod's base functions stand for what stretches and what turns, e = v1,1 and chi = v2,1; displacements
+## are their integrals along the curve, so that bending does not stretch.
 ##
 ## base.turned (1-by-n), where it is there, is how far each is turned back so that it has no angular momentum.
 ## @end deftypefn

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{S} =} integrals_to (@var{axis}, @var{stations})
-## The matrix (stations-by-p) that makes of values at the points of an @var{axis} (see @code{rod_axis}) the integrals from O
-## to the @var{stations} (m), by the polynomials through each panel's points.
+## The matrix (stations-by-p) that makes of values at the points of an @var{axis} (see @code{rod_axis}) the integrals
+## from O to the @var{stations} (m), by the polynomials through each panel's points.
 ## @end deftypefn
 
 function S = integrals_to (axis, stations)

@@ -1,9 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{axis} =} rod_axis (@var{rod}, @var{panels}, @var{section})
-## The undeformed centreline of a curved @var{rod} (a checked scene's field) at the Gauss points of so many equal @var{panels}, cut
-## where its curvature jumps: a struct of xi (1-by-p, m), weights (m), ends (of the panels), kappa (1/m), theta (rad), x, y (m) and tilt (rad).  The frame's
-## x axis goes from O through the centre of mass; tilt is the tangent's angle against it at O.  The @var{section} (see
-## @code{rod_section}) counts where it is thick: it has more of its mass outside the centreline; by default it is thin.
+## The undeformed centreline of a curved @var{rod} (a checked scene's field) at the Gauss points of so many equal
+## @var{panels}, cut where its curvature jumps: a struct of xi (1-by-p, m), weights (m), ends (of the panels), kappa
+## (1/m), theta (rad), x, y (m) and tilt (rad).  The frame's x axis goes from O through the centre of mass; tilt is the
+## tangent's angle against it at O.  The @var{section} (see @code{rod_section}) counts where it is thick: it has more
+## of its mass outside the centreline; by default it is thin.
 ## @end deftypefn
 
 function axis = rod_axis (rod, panels, section = struct ("rhoA", 1, "rhoI", 0))
@@ -15,8 +16,8 @@ function axis = rod_axis (rod, panels, section = struct ("rhoA", 1, "rhoI", 0))
   kappa = curvature_function (rod);
   axis.kappa = kappa (axis.xi);
   if (! (isequal (size (axis.kappa), size (axis.xi)) && all (isfinite (axis.kappa))))
-    scene_error ("rod.curvature gives %d values for %d stations or no numbers: it takes a vectorised function of xi in 1/m", ...
-                 numel (axis.kappa), numel (axis.xi));
+    scene_error (["rod.curvature gives %d values for %d stations or no numbers: it takes a vectorised function" ...
+                  " of xi in 1/m"], numel (axis.kappa), numel (axis.xi));
   endif
   integral = integrals_to (axis, axis.xi);
   axis.theta = axis.kappa*integral.';

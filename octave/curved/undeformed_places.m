@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{x}, @var{y}, @var{theta}] =} undeformed_places (@var{base}, @var{stations})
-## Places (1-by-p, m) and tangent's angles (rad) of the undeformed centreline at the @var{stations} (m), in the rod's frame:
-## on its x axis, or where a curved rod's base.axis (see @code{rod_axis}) has them.
+## Places (1-by-p, m) and tangent's angles (rad) of the undeformed centreline at the @var{stations} (m), in the rod's
+## frame: on its x axis, or where a curved rod's base.axis (see @code{rod_axis}) has them.
 ## @end deftypefn
 
 function [x, y, theta] = undeformed_places (base, stations)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{accelerations} =} accelerations_of_rod (@var{n}, @var{c})
-## The hinged rod of @var{n} coordinates in coordinates and their rates, z = (q; phi; q_dot; phi_dot; W; D), for methods of
-## structural dynamics: a struct of rate (t, z, interval), state (z) = y of @code{hinged_rod} and form (y) = z.  @var{c}
-## comes from @code{rod_constants}.
+## The hinged rod of @var{n} coordinates in coordinates and their rates, z = (q; phi; q_dot; phi_dot; W; D), for
+## methods of structural dynamics: a struct of rate (t, z, interval), state (z) = y of @code{hinged_rod} and
+## form (y) = z.  @var{c} comes from @code{rod_constants}.
 ## @end deftypefn
 
 function accelerations = accelerations_of_rod (n, c)

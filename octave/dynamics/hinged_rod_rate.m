@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{y_dot} =} hinged_rod_rate (@var{t}, @var{y}, @var{interval}, @var{n}, @var{c})
-## Rates of the states @var{y} (a column a time) of @code{hinged_rod} at the times @var{t} (1-by-m), from @code{rod_rates}, or @code{rod_rates_with_force} in a scene with a force.
+## Rates of the states @var{y} (a column a time) of @code{hinged_rod} at the times @var{t} (1-by-m), from
+## @code{rod_rates}, or @code{rod_rates_with_force} in a scene with a force.
 ##
 ## Loads are taken at a time within @var{interval} = [start, end] (s), which has no jump in it.
 ## @end deftypefn

@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{y_dot}, @var{torque}] =} hub_rod_rate (@var{t}, @var{y}, @var{interval}, @var{n}, @var{c})
-## Rates of the states @var{y} (a column a time) of @code{hub_rod} at the times @var{t} (1-by-m), and the torque of the hub (N m): the multiplier of the constraint that the
-## tangent at O has the hub's angle.  The rotation phi of the rod's frame follows from it.
+## Rates of the states @var{y} (a column a time) of @code{hub_rod} at the times @var{t} (1-by-m), and the torque of the
+## hub (N m): the multiplier of the constraint that the tangent at O has the hub's angle.  The rotation phi of the
+## rod's frame follows from it.
 ##
 ## Loads are taken at a time within @var{interval} = [start, end] (s), which has no jump in it.
 ## @end deftypefn

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{y_dot} =} literal_rod_rate (@var{t}, @var{y}, @var{scene}, @var{modes})
-## The rate of the hinged rod's state (V; phi; V_dot; phi_dot), the paper's way: the equations of motion written out term by term for
-## @var{modes} = [N1 N2] (N1, N2 > 0), which `make derive MODES="N1 N2"' has written.  It is the oracle for the general
-## form and what its speed is measured against.
+## The rate of the hinged rod's state (V; phi; V_dot; phi_dot), the paper's way: the equations of motion written out
+## term by term for @var{modes} = [N1 N2] (N1, N2 > 0), which `make derive MODES="N1 N2"' has written.  It is the
+## oracle for the general form and what its speed is measured against.
 ## @end deftypefn
 
 function y_dot = literal_rod_rate (t, y, scene, modes)

@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{momenta} =} momenta_of_rod (@var{n}, @var{c}, @var{mass}, @var{stiffness})
-## The hinged rod of @var{n} coordinates in coordinates and momenta, z = (q; phi; dT/dq_dot; p; W; D), for methods that keep
-## what Hamilton's equations keep: a struct of rate (t, z, interval), state (z) = y of @code{hinged_rod}, form (y) = z and
-## linear, the matrix of its linear oscillation with the matrices @var{mass} and @var{stiffness}.  @var{c} comes from
-## @code{rod_constants}.
+## The hinged rod of @var{n} coordinates in coordinates and momenta, z = (q; phi; dT/dq_dot; p; W; D), for methods that
+## keep what Hamilton's equations keep: a struct of rate (t, z, interval), state (z) = y of @code{hinged_rod},
+## form (y) = z and linear, the matrix of its linear oscillation with the matrices @var{mass} and @var{stiffness}.
+## @var{c} comes from @code{rod_constants}.
 ## @end deftypefn
 
 function momenta = momenta_of_rod (n, c, mass, stiffness)
@@ -19,7 +19,8 @@ function z_dot = rate (t, z, interval, n, c)
   [V, phi] = deal (z(1:n,:), z(n+1,:));
   t = min (max (t, interval(1)), interval(2));
   [V_dot, phi_dot] = rod_velocities (phi, z(2*n+2,:), V, z(n+2:2*n+1,:), c.velocity_arguments{:});
-  [force_V, torque, power, dissipated] = rod_momentum_rates (phi, phi_dot, V, V_dot, c.arguments{:}, c.moment (t), c.slopes{:});
+  [force_V, torque, power, dissipated] = rod_momentum_rates (phi, phi_dot, V, V_dot, c.arguments{:}, ...
+                                                             c.moment (t), c.slopes{:});
   if (! isempty (c.force))
     F = at_times (c.force, t);
     [load_V, load_phi, load_power] = rod_point_force (phi, phi_dot, V, V_dot, F(1,:), F(2,:), c.force_arguments{:});
@@ -43,7 +44,8 @@ function z = form (y, n, c)
 endfunction
 
 %!function [system, y] = any_rod ()
-%!  scene = setfield (paper (), "force", @(t) [3 5]); scene.model.stiffening = "foreshortening"; scene.model.modes = [2 3];
+%!  scene = setfield (paper (), "force", @(t) [3 5]);
+%!  scene.model.stiffening = "foreshortening"; scene.model.modes = [2 3];
 %!  scene.rod.damping = 1e-4; scene.rod.half_height = 0.1; scene.rod.lambda = 1e8; scene.rod.mu = 1e8;
 %!  scene = check_scene (scene);
 %!  system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));

@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{constants} =} rod_constants (@var{scene}, @var{model})
-## What the rates and forces of a rod need besides its state: a struct of inverse_mass_matrix and mass_matrix, the loads
-## moment (t) and force (t), and lists of arguments of the generated functions: arguments (from the mass matrix to the
-## damping, in the order of @code{rod_equations}), energy_arguments, stiffness_arguments, slopes (where the moment works) and force_arguments.
+## What the rates and forces of a rod need besides its state: a struct of inverse_mass_matrix and mass_matrix, the
+## loads moment (t) and force (t), and lists of arguments of the generated functions: arguments (from the mass matrix
+## to the damping, in the order of @code{rod_equations}), energy_arguments, stiffness_arguments, slopes (where the
+## moment works) and force_arguments.
 ## @end deftypefn
 
 function constants = rod_constants (scene, model)
@@ -22,7 +23,8 @@ function constants = rod_constants (scene, model)
   endif
   constants.moment = scene.moment;
   constants.force = scene.force;
-  constants.force_arguments = {scene.force_station, model.force.shape_1, model.force.shape_2, model.force.shortening_matrix};
+  constants.force_arguments = {scene.force_station, model.force.shape_1, model.force.shape_2, ...
+                               model.force.shortening_matrix};
 endfunction
 
 %!test

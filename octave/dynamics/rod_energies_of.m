@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{E}, @var{p}] =} rod_energies_of (@var{phi}, @var{phi_dot}, @var{q}, @var{q_dot}, @var{c})
-## @var{E} = [T; U; Z] (3-by-m, J) and the angular momentum @var{p} (kg m^2/s) of the rod with the constants @var{c} of @code{rod_constants}, by @code{rod_energies}.
+## @var{E} = [T; U; Z] (3-by-m, J) and the angular momentum @var{p} (kg m^2/s) of the rod with the constants @var{c} of
+## @code{rod_constants}, by @code{rod_energies}.
 ## @end deftypefn
 
 function [E, p] = rod_energies_of (phi, phi_dot, q, q_dot, c)

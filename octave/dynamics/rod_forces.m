@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{mass_V_phi}, @var{mass_phi_phi}, @var{force_V}, @var{force_phi}, @var{power}, @var{dissipated}] =} rod_forces (@var{t}, @var{phi}, @var{phi_dot}, @var{V}, @var{V_dot}, @var{c})
-## Blocks of the mass matrix and generalized forces of the rod with its loads at the times @var{t} (1-by-m), from @code{rod_equations} and
-## @code{rod_point_force}; @var{c} comes from @code{rod_constants}.
+## @deftypefn {} {[@var{mass_V_phi}, @var{mass_phi_phi}, @var{force_V}, @var{force_phi}, @var{power}, @
+##   @var{dissipated}] =} rod_forces (@var{t}, @var{phi}, @var{phi_dot}, @var{V}, @var{V_dot}, @var{c})
+## Blocks of the mass matrix and generalized forces of the rod with its loads at the times @var{t} (1-by-m), from
+## @code{rod_equations} and @code{rod_point_force}; @var{c} comes from @code{rod_constants}.
 ## @end deftypefn
 
 function [mass_V_phi, mass_phi_phi, force_V, force_phi, power, dissipated] = rod_forces (t, phi, phi_dot, V, V_dot, c)
@@ -18,7 +19,8 @@ function [mass_V_phi, mass_phi_phi, force_V, force_phi, power, dissipated] = rod
 endfunction
 
 %!test # with the mass matrix they give the same accelerations as the rates of the hinged rod
-%! scene = setfield (paper (), "force", @(t) [3 5]); scene.model.stiffening = "foreshortening"; scene.model.modes = [2 3];
+%! scene = setfield (paper (), "force", @(t) [3 5]);
+%! scene.model.stiffening = "foreshortening"; scene.model.modes = [2 3];
 %! scene.rod.damping = 1e-4; scene.rod.half_height = 0.1; scene.force_station = 0.7; scene.tip_mass = 2;
 %! scene.rod.lambda = 1e8; scene.rod.mu = 1e8;
 %! scene = check_scene (scene);

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scale} =} state_scale (@var{model}, @var{scene}, @var{amplitudes})
-## What each state of a rod may be off by where a centreline point is off by 1 m: coordinates by @var{amplitudes}, their
-## rates by the lowest frequency as well, the angular momentum by what turns the rod by 1/length in the duration; work and
-## dissipated energy by what loads and inertia do over the length.
+## What each state of a rod may be off by where a centreline point is off by 1 m: coordinates by @var{amplitudes},
+## their rates by the lowest frequency as well, the angular momentum by what turns the rod by 1/length in the duration;
+## work and dissipated energy by what loads and inertia do over the length.
 ##
 ## (With its own frequency, a stiff mode that ode45 takes at its limit of stability may carry an energy of 1e-3 of the
 ## largest.)

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{K} =} turning_stiffness (@var{phi}, @var{phi_dot}, @var{c})
-## The stiffness matrix, (n+1)-by-(n+1) in (V, phi), of the rod as it turns, by @code{rod_tangent_stiffness}; @var{c} comes
-## from @code{rod_constants}.
+## The stiffness matrix, (n+1)-by-(n+1) in (V, phi), of the rod as it turns, by @code{rod_tangent_stiffness}; @var{c}
+## comes from @code{rod_constants}.
 ## @end deftypefn
 
 function K = turning_stiffness (phi, phi_dot, c)
@@ -10,7 +10,8 @@ function K = turning_stiffness (phi, phi_dot, c)
 endfunction
 
 %!test # minus the derivatives of the forces at V = 0
-%! scene = check_scene (setfield (setfield (paper (), "model", "modes", [1 2]), "model", "stiffening", "foreshortening"));
+%! scene = setfield (setfield (paper (), "model", "modes", [1 2]), "model", "stiffening", "foreshortening");
+%! scene = check_scene (scene);
 %! scene.rod.half_height = 0.1; scene.moment = @(t) 0;
 %! c = rod_constants (scene, build_model (scene, rung_of_scene (scene)));
 %! force = @(x) nthargout (3:4, @rod_forces, 0, x(4), 5, x(1:3), zeros (3, 1), c);

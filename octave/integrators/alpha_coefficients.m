@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{c} =} alpha_coefficients (@var{rho})
-## The coefficients m, f, gamma, beta of the generalized-alpha method that damps what is far beyond the step to @var{rho}
-## (0 to 1) in a step (Chung and Hulbert, J. Appl. Mech. 60, 1993), and part = (1 - f)/(1 - m).
+## The coefficients m, f, gamma, beta of the generalized-alpha method that damps what is far beyond the step to
+## @var{rho} (0 to 1) in a step (Chung and Hulbert, J. Appl. Mech. 60, 1993), and part = (1 - f)/(1 - m).
 ## @end deftypefn
 
 function c = alpha_coefficients (rho)

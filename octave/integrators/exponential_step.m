@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{step} =} exponential_step (@var{omega}, @var{damping}, @var{h}, @var{extra})
-## The functions of an exponential method's step @var{h} (s) for oscillators eta_ddot + damping eta_dot + omega^2 eta (n-by-1
-## each, rad/s and 1/s) in the form z = (eta; eta_dot; w) with @var{extra} states w.
+## The functions of an exponential method's step @var{h} (s) for oscillators eta_ddot + damping eta_dot + omega^2 eta
+## (n-by-1 each, rad/s and 1/s) in the form z = (eta; eta_dot; w) with @var{extra} states w.
 ##
 ## Fields: h, swap, and half and whole, with what z becomes over h/2 and h by itself and by a load R that is constant,
 ## linear and quadratic in time: free, phi1, phi2, phi3, each of two columns for z.*first + z(swap).*second.

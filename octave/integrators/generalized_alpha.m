@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{stepper} =} generalized_alpha (@var{system}, @var{h}, @var{solver})
-## The generalized-alpha method (Chung and Hulbert, J. Appl. Mech. 60, 1993; for a mass matrix that varies: Arnold and
-## Bruels, Multibody Syst. Dyn. 18, 2007) in steps of @var{h} (s), for @code{integrate_fixed}.  It damps what is far beyond the
-## step to @var{solver}.rho_infinity (0 to 1) in a step.  Newton's iteration takes the matrices of the linear oscillation.
+## The generalized-alpha method (Chung and Hulbert, J. Appl. Mech. 60, 1993; for a mass matrix that varies: Arnold
+## and Bruels, Multibody Syst. Dyn. 18, 2007) in steps of @var{h} (s), for @code{integrate_fixed}.  It damps what
+## is far beyond the step to @var{solver}.rho_infinity (0 to 1) in a step.  Newton's iteration takes the matrices
+## of the linear oscillation.
 ## @end deftypefn
 
 function stepper = generalized_alpha (system, h, solver)

@@ -7,7 +7,8 @@
 function stepper = implicit_midpoint (system, h, solver)
   momenta = momenta_for ("implicit_midpoint", system);
   inverse = inv (eye (rows (momenta.linear)) - h/2*momenta.linear);
-  stepper = struct ("form", momenta.form, "state", momenta.state, "step", @(t, z) step (t, z, h, momenta.rate, inverse));
+  stepper = struct ("form", momenta.form, "state", momenta.state, ...
+                    "step", @(t, z) step (t, z, h, momenta.rate, inverse));
 endfunction
 
 function [z, converged] = step (t, z, h, rate, inverse)

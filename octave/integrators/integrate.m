@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{states}, @var{count}] =} integrate (@var{system}, @var{times}, @var{solver})
-## The states (n-by-m) of a system (see @code{hinged_rod}) at the @var{times} (1-by-m, s, from the start of the motion),
-## by the method @var{solver}.name of @code{integrator_table} with @var{solver}.tolerance (m), or with steps of
-## @var{solver}.step (s) where the method's steps are equal; "auto" is "waveform".
+## The states (n-by-m) of a system (see @code{hinged_rod}) at the @var{times} (1-by-m, s, from the start of the
+## motion), by the method @var{solver}.name of @code{integrator_table} with @var{solver}.tolerance (m), or with steps
+## of @var{solver}.step (s) where the method's steps are equal; "auto" is "waveform".
 ##
 ## A step may be off by a part of the tolerance, so that the largest error of all frames stays near it: 1/400 where a
 ## general method has to follow every oscillation, 1/4 else (measured on the scene `paper', tests below).
@@ -57,8 +57,8 @@ function system = with_loads (system, interval)
 endfunction
 
 %!function system = pushed_mass ()   # x'' = 1 until t = 1, then 0
-%!  system = struct ("initial_state", [0; 0], "breaks", 1, "state_scale", [1; 1], "turned", false, "longest_step", Inf, ...
-%!                   "mass", 1, "stiffness", 0, "velocity_matrix", 1);
+%!  system = struct ("initial_state", [0; 0], "breaks", 1, "state_scale", [1; 1], "turned", false, ...
+%!                   "longest_step", Inf, "mass", 1, "stiffness", 0, "velocity_matrix", 1);
 %!  system.rate = @(t, y, interval) [y(2); interval(2) < 1];
 %!endfunction
 

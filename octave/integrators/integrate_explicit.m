@@ -1,12 +1,13 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_explicit (@var{ode}, @var{system}, @var{times}, @var{y}, @var{solver})
-## Octave's explicit Runge-Kutta methods, @var{ode} = @code{@@ode45} (Dormand and Prince) or @code{@@ode23} (Bogacki and
-## Shampine), through all @var{times} (1-by-m, s) from the state @var{y} (n-by-1).
+## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_explicit (@var{ode}, @var{system}, @var{times}, @var{y}, @
+##   @var{solver})
+## Octave's explicit Runge-Kutta methods, @var{ode} = @code{@@ode45} (Dormand and Prince) or @code{@@ode23} (Bogacki
+## and Shampine), through all @var{times} (1-by-m, s) from the state @var{y} (n-by-1).
 ##
 ## system.rate (t, y) is integrated as it is, or, where system.turned is true, in the form of @code{turned_form}, made
-## anew at each of the @var{times} and at least 50 times in the duration.
-## @var{solver}.tolerance bounds a step's error in units of the state's scale; with @var{solver}.step all steps have that
-## length, whatever their error.  Results: @var{states} (n-by-m), and the steps tried: calls by the stages a step.
+## anew at each of the @var{times} and at least 50 times in the duration.  @var{solver}.tolerance bounds a step's error
+## in units of the state's scale; with @var{solver}.step all steps have that length, whatever their error.  Results:
+## @var{states} (n-by-m), and the steps tried: calls by the stages a step.
 ##
 ## An integration that does not reach the last time is an error that says where it stopped, and what to change.
 ## @end deftypefn
@@ -23,7 +24,8 @@ function [states, steps] = integrate_explicit (ode, system, times, y, solver)
     ends = linspace (times(k-1), times(k), pieces + 1);
     for i = 1:pieces
       turned = turned_form (system, ends(i), y);
-      [u, taken] = solve (ode, system, turned.rate, ends(i:i+1), turned.start, solver, turned.scale, diff (ends(i:i+1))/2);
+      [u, taken] = solve (ode, system, turned.rate, ends(i:i+1), turned.start, solver, turned.scale, ...
+                          diff (ends(i:i+1))/2);
       y = turned.state (ends(i+1), u(:,2));
       steps += taken;
     endfor
@@ -70,8 +72,9 @@ endfunction
 %! endfor
 %!test # equal steps: an error of order 5
 %! system = struct ("state_scale", [1; 1], "turned", false, "rate", @(t, y) [y(2); -y(1)]);
-%! error = @(h) norm (integrate_explicit (@ode45, system, [0 2], [1; 0], struct ("tolerance", 1, "step", h))(:,2) - [cos(2); -sin(2)]);
+%! error = @(h) norm (integrate_explicit (@ode45, system, [0 2], [1; 0], struct ("tolerance", 1, "step", h))(:,2) ...
+%!                    - [cos(2); -sin(2)]);
 %! assert (log2 (error (0.1)/error (0.05)), 5, 0.3);
 %!error <ode45 stopped at t = 0.9\d* s of 2 s: its steps shrank to nothing>
-%! integrate_explicit (@ode45, struct ("turned", false, "state_scale", 1, "mass", 1, "stiffness", 0, "rate", @(t, y) y^2), ...
-%!                     [0 0.9 0.99 2], 1, struct ("tolerance", 1e-6));
+%! system = struct ("turned", false, "state_scale", 1, "mass", 1, "stiffness", 0, "rate", @(t, y) y^2);
+%! integrate_explicit (@ode45, system, [0 0.9 0.99 2], 1, struct ("tolerance", 1e-6));

@@ -1,11 +1,12 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_fixed (@var{method}, @var{order}, @var{system}, @var{times}, @var{y}, @var{solver})
-## A method of equal steps through all @var{times} (1-by-m, s) from the state @var{y}: steps of @var{solver}.step (s), or a
-## little shorter, so that they meet the times.  Without a step, it is shortened until an error by the method's
+## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_fixed (@var{method}, @var{order}, @var{system}, @
+##   @var{times}, @var{y}, @var{solver})
+## A method of equal steps through all @var{times} (1-by-m, s) from the state @var{y}: steps of @var{solver}.step (s),
+## or a little shorter, so that they meet the times.  Without a step, it is shortened until an error by the method's
 ## @var{order}, from the last two runs, is within @var{solver}.tolerance in units of the state's scale.
 ##
-## @var{method} (system, h, solver) is a struct of form (y) = z, step (t, z) = [z, converged] and state (z) = y.  A state
-## that is no number, a Newton iteration that does not converge, or more than 1e8 steps are errors.
+## @var{method} (system, h, solver) is a struct of form (y) = z, step (t, z) = [z, converged] and state (z) = y.  A
+## state that is no number, a Newton iteration that does not converge, or more than 1e8 steps are errors.
 ## @end deftypefn
 
 function [states, steps] = integrate_fixed (method, order, system, times, y, solver)
@@ -30,8 +31,8 @@ function [states, steps] = march (method, system, times, y, solver, h)
   name = func2str (method);
   needed = sum (ceil (diff (times)/h*(1 - 1e-9)));
   if (needed > 1e8)
-    stop_integration (name, system, times(1), times(end), h, sprintf ("it would take %.2g steps, more than 1e8", needed), ...
-                      "a longer step or a larger tolerance");
+    what = sprintf ("it would take %.2g steps, more than 1e8", needed);
+    stop_integration (name, system, times(1), times(end), h, what, "a longer step or a larger tolerance");
   endif
   states = repmat (y, 1, numel (times));
   [steps, made_for] = deal (0, NaN);
@@ -46,8 +47,8 @@ function [states, steps] = march (method, system, times, y, solver, h)
     for i = 0:m-1
       [z, converged] = stepper.step (times(k-1) + i*length, z);
       if (! converged)
-        stop_integration (name, system, times(k-1) + i*length, times(end), length, "its Newton iteration did not converge", ...
-                          "a shorter step");
+        stop_integration (name, system, times(k-1) + i*length, times(end), length, ...
+                          "its Newton iteration did not converge", "a shorter step");
       endif
     endfor
     y = stepper.state (z);
@@ -73,7 +74,8 @@ endfunction
 %! [~, count] = integrate (system, [0 0.2 0.4], solver);
 %! assert (count.steps, 400);
 %! assert (count.calls, 1600);
-%!error <rk4 stopped at t = 0 s of 1 s: it would take 1e\+09 steps, more than 1e8: .*; try steps below 0.028 s, a longer>
+%!error <rk4 stopped at t = 0 s of 1 s: .* 1e\+09 steps, more than 1e8: .*; try steps below 0.028 s, a longer>
 %! integrate_fixed (@rk4, 4, struct ("mass", 1, "stiffness", 1e4), [0 1], [1; 0], struct ("step", 1e-9));
-%!error <rk4 stopped at t = \d.* s of 20 s: then its state is no number: a step of 0.1 s .* is 10 where .* stable below 2.828>
-%! integrate_fixed (@rk4, 4, struct ("mass", 1, "stiffness", 1e4, "rate", @(t, y) [y(2); -1e4*y(1)]), 0:20, [1; 0], struct ("step", 0.1));
+%!error <rk4 stopped at t = \d.* s of 20 s: then its state is no number: .* 0.1 s .* is 10 where .* stable below 2.828>
+%! system = struct ("mass", 1, "stiffness", 1e4, "rate", @(t, y) [y(2); -1e4*y(1)]);
+%! integrate_fixed (@rk4, 4, system, 0:20, [1; 0], struct ("step", 0.1));

@@ -1,8 +1,10 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_lsode (@var{formulas}, @var{system}, @var{times}, @var{y}, @var{solver})
-## LSODE (Hindmarsh, 1983) with the @var{formulas} of Adams ("adams", order up to 12) or backward differences ("bdf", up
-## to 5), through all @var{times} (1-by-m, s) from the state @var{y}, with @var{solver}.tolerance in units of the state's
-## scale; with @var{solver}.step all steps have that length and the order is @var{solver}.order, whatever their error.  @var{steps} is not known: NaN.
+## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_lsode (@var{formulas}, @var{system}, @var{times}, @var{y}, @
+##   @var{solver})
+## LSODE (Hindmarsh, 1983) with the @var{formulas} of Adams ("adams", order up to 12) or backward differences ("bdf",
+## up to 5), through all @var{times} (1-by-m, s) from the state @var{y}, with @var{solver}.tolerance in units of the
+## state's scale; with @var{solver}.step all steps have that length and the order is @var{solver}.order, whatever their
+## error.  @var{steps} is not known: NaN.
 ## @end deftypefn
 
 function [states, steps] = integrate_lsode (formulas, system, times, y, solver)
@@ -17,7 +19,8 @@ function [states, steps] = integrate_lsode (formulas, system, times, y, solver)
       lsode_options ("relative tolerance", 1e10);
       lsode_options ("absolute tolerance", 1e10*system.state_scale);
       lsode_options ("maximum order", solver.order);
-      cellfun (@(name) lsode_options (name, solver.step), {"initial step size", "minimum step size", "maximum step size"});
+      sizes = {"initial step size", "minimum step size", "maximum step size"};
+      cellfun (@(name) lsode_options (name, solver.step), sizes);
     endif
     try
       [states, state, message] = lsode (@(y, t) told_rate (system.rate, t, y), y, times, times(end));

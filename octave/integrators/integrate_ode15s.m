@@ -1,14 +1,15 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_ode15s (@var{system}, @var{times}, @var{y}, @var{solver})
 ## Octave's @code{ode15s}, the variable-order BDF of SUNDIALS' IDA, through all @var{times} (1-by-m, s) from the state
-## @var{y}, with @var{solver}.tolerance in units of the state's scale.  It is given the initial slope, which it takes for 0
-## otherwise.  @var{steps} is not known: NaN.
+## @var{y}, with @var{solver}.tolerance in units of the state's scale.  It is given the initial slope, which it takes
+## for 0 otherwise.  @var{steps} is not known: NaN.
 ## @end deftypefn
 
 function [states, steps] = integrate_ode15s (system, times, y, solver)
   steps = NaN;
   requested = unique ([times, mean(times)]);
-  options = odeset ("RelTol", max (solver.tolerance, 100*eps), "AbsTol", max (solver.tolerance*system.state_scale, realmin), ...
+  absolute = max (solver.tolerance*system.state_scale, realmin);
+  options = odeset ("RelTol", max (solver.tolerance, 100*eps), "AbsTol", absolute, ...
                     "InitialSlope", system.rate (times(1), y), "MaxStep", times(end) - times(1));
   warning_state = warning ("off", "all");
   cause = "its Newton iteration did not converge";
@@ -38,4 +39,5 @@ endfunction
 %! roots = -50 + [1 -1]*sqrt (2499);
 %! assert (states(1,3), (roots(1)*exp (2*roots(2)) - roots(2)*exp (2*roots(1)))/diff (-roots), 1e-5);
 %!error <ode15s stopped at t = 0 s of 2 s: I(DA gave|ts Newton)>
-%! integrate_ode15s (struct ("mass", 1, "stiffness", 0, "state_scale", 1, "rate", @(t, y) y^2), [0 1 2], 1, struct ("tolerance", 1e-8));
+%! system = struct ("mass", 1, "stiffness", 0, "state_scale", 1, "rate", @(t, y) y^2);
+%! integrate_ode15s (system, [0 1 2], 1, struct ("tolerance", 1e-8));

@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_ode23s (@var{system}, @var{times}, @var{y}, @var{solver})
-## Octave's @code{ode23s}, a Rosenbrock method of order 2 (Shampine and Reichelt, SIAM J. Sci. Comput. 18, 1997), through
-## all @var{times} (1-by-m, s) from the state @var{y}, with @var{solver}.tolerance in units of the state's scale.
+## Octave's @code{ode23s}, a Rosenbrock method of order 2 (Shampine and Reichelt, SIAM J. Sci. Comput. 18,
+## 1997), through all @var{times} (1-by-m, s) from the state @var{y}, with @var{solver}.tolerance in units
+## of the state's scale.
 ##
 ## The scale is the unit of what it integrates, since it takes one absolute tolerance for all.
 ## @var{steps}: Jacobian matrices, one a step, by finite differences.

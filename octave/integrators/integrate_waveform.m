@@ -1,21 +1,22 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_waveform (@var{system}, @var{times}, @var{y}, @var{solver})
-## Exponential waveform relaxation through all @var{times} (1-by-m, s) from the state @var{y}: the oscillation of the linear
-## modes (see @code{modal_form}) is exact, what is left is a polynomial of degree 7 on each panel, and many panels, a
-## window, are solved at once by @code{solve_window} (waveform relaxation: Lelarasmee, Ruehli and
+## Exponential waveform relaxation through all @var{times} (1-by-m, s) from the state @var{y}: the oscillation of the
+## linear modes (see @code{modal_form}) is exact, what is left is a polynomial of degree 7 on each panel, and many
+## panels, a window, are solved at once by @code{solve_window} (waveform relaxation: Lelarasmee, Ruehli and
 ## Sangiovanni-Vincentelli, IEEE Trans. CAD 1, 1982; exponential quadrature: Hochbruck and Ostermann, Acta Numerica 19,
 ## 2010).  @var{system}.rate (t, y) takes many times at once, which is what makes it fast here.
 ##
 ## Panels shrink until polynomials of degree 6 would do, to the window's share of @var{solver}.tolerance, in units of
-## system.state_scale; windows have fewer panels where the relaxation converges slowly.  Panels that shrink to nothing are
-## an error that says where.  @var{steps}: the number of panels.
+## system.state_scale; windows have fewer panels where the relaxation converges slowly.  Panels that shrink to nothing
+## are an error that says where.  @var{steps}: the number of panels.
 ## @end deftypefn
 
 function [states, steps] = integrate_waveform (system, times, y, solver)
   persistent rule = panel_rule (8);
   n = rows (system.mass);
   extra = numel (y) - 2*n;
-  scale = solver.tolerance*[system.state_scale(1:n); 100*system.state_scale(2*n+1:end)];  # what only follows may be off by more
+  ## what only follows may be off by more
+  scale = solver.tolerance*[system.state_scale(1:n); 100*system.state_scale(2*n+1:end)];
   states = repmat (y, 1, numel (times));
   [t, last_time] = deal (times(1), times(end));
   [h, most, steps, modal] = deal ((last_time - t)/100, 8, 0, []);
@@ -84,8 +85,8 @@ endfunction
 
 %!function system = driven_oscillators ()   # x'' + w^2 x = cos (t), w = 0, 3, 1000, from rest
 %!  w = [0; 3; 1000];
-%!  system = struct ("mass", eye (3), "stiffness_at", @(t, y) diag (w.^2), "state_scale", ones (7, 1), "duration", 4, ...
-%!                   "velocity_matrix", eye (3), "initial_state", zeros (7, 1));
+%!  system = struct ("mass", eye (3), "stiffness_at", @(t, y) diag (w.^2), "state_scale", ones (7, 1), ...
+%!                   "duration", 4, "velocity_matrix", eye (3), "initial_state", zeros (7, 1));
 %!  system.rate = @(t, y) [y(4:6,:); cos(t) - w.^2.*y(1:3,:); cos(t)];
 %!endfunction
 %!test # oscillations beyond the panels are exact, the load is integrated to the tolerance
@@ -99,15 +100,15 @@ endfunction
 %! endfor
 %! assert (steps < 100);
 %!test # an error of the order of the tolerance: a pendulum, as its elliptic function has it
-%! system = struct ("mass", 1, "stiffness_at", @(t, y) 1, "state_scale", [1; 1], "duration", 10, "velocity_matrix", 1, "initial_state", [0; 0], ...
-%!                  "rate", @(t, y) [y(2,:); -sin(y(1,:))]);
+%! system = struct ("mass", 1, "stiffness_at", @(t, y) 1, "state_scale", [1; 1], "duration", 10, ...
+%!                  "velocity_matrix", 1, "initial_state", [0; 0], "rate", @(t, y) [y(2,:); -sin(y(1,:))]);
 %! k = 0.8;
 %! exact = @(t) 2*asin (k*ellipj (t, k^2));
 %! for tolerance = [1e-4 1e-7 1e-10]
 %!   states = integrate_waveform (system, 0:10, [0; 2*k], struct ("tolerance", tolerance));
 %!   assert (states(1,:), exact (0:10), 10*tolerance);
 %! endfor
-%!error <waveform stopped at t = (0.99|1)\d* s of 2 s: its panels shrank to nothing: .* try a larger tolerance than 1e-06 m>
+%!error <waveform stopped at t = (0.99|1)\d* s of 2 s: its panels shrank to nothing: .* tolerance than 1e-06 m>
 %! system = struct ("mass", 1, "stiffness", 0, "stiffness_at", @(t, y) 0, "duration", 2, "state_scale", [1; 1], ...
 %!                  "velocity_matrix", 1, "initial_state", [1; 1], "rate", @(t, y) [y(2,:); 2*y(1,:).^3]);
 %! integrate_waveform (system, [0 2], [1; 1], struct ("tolerance", 1e-6));

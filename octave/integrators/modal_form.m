@@ -1,11 +1,12 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{modal} =} modal_form (@var{system}, @var{stiffness})
-## A system (see @code{hinged_rod}) in the modal coordinates of its mass and a @var{stiffness} matrix: x = X*eta, where
-## eta_ddot = -omega^2 eta + what is left.  A state of the form is z = (eta; eta_dot; w), w what follows the rates in y.
+## A system (see @code{hinged_rod}) in the modal coordinates of its mass and a @var{stiffness} matrix: x = X*eta,
+## where eta_ddot = -omega^2 eta + what is left.  A state of the form is z = (eta; eta_dot; w), w what follows
+## the rates in y.
 ##
-## Fields: omega, damping (n-by-1, 1/s: of system.damping_matrix, if there is one), n, X (n-by-n), state (z) = y, form (y) = z, and remainder (t, z), the rate of z without
-## the free oscillation (eta_dot; -omega^2 eta - damping eta_dot; 0), which is the stiff part of the system.  A direction that the stiffness
-## does not hold has omega = 0.
+## Fields: omega, damping (n-by-1, 1/s: of system.damping_matrix, if there is one), n, X (n-by-n), state (z) = y,
+## form (y) = z, and remainder (t, z), the rate of z without the free oscillation (eta_dot; -omega^2 eta - damping
+## eta_dot; 0), which is the stiff part of the system.  A direction that the stiffness does not hold has omega = 0.
 ## @end deftypefn
 
 function modal = modal_form (system, stiffness)
@@ -34,7 +35,8 @@ function r = remainder (t, z, n, X, velocities, to_eta, to_eta_dot, squares, dam
 endfunction
 
 %!test # of a linear system nothing is left
-%! system = struct ("mass", [2 1; 1 3], "stiffness", [5 0; 0 0], "velocity_matrix", [1 0; 1 3], "initial_state", zeros (5, 1));
+%! system = struct ("mass", [2 1; 1 3], "stiffness", [5 0; 0 0], "velocity_matrix", [1 0; 1 3], ...
+%!                  "initial_state", zeros (5, 1));
 %! system.rate = @(t, y) [[1 0; 1 3]\y(3:4); -[1 0; 1 3]*([2 1; 1 3]\([5 0; 0 0]*y(1:2))); 1];
 %! modal = modal_form (system, system.stiffness);
 %! y = [0.1; 0.2; 0.3; 0.4; 0.5];

@@ -5,7 +5,8 @@
 
 function momenta = momenta_for (method, system)
   if (! isfield (system, "momenta"))
-    scene_error ("solver.name is \"%s\", which takes no prescribed rotation: take generalized_alpha or waveform", method);
+    scene_error ("solver.name is \"%s\", which takes no prescribed rotation: take generalized_alpha or waveform", ...
+                 method);
   endif
   momenta = system.momenta;
 endfunction

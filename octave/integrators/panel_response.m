@@ -1,9 +1,10 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{free}, @var{forced}] =} panel_response (@var{modal}, @var{h}, @var{x}, @var{weights}, @var{extra})
-## What a state z of @code{modal_form} with @var{extra} states w becomes at the fractions @var{x} (1-by-k, increasing) of a
-## panel of @var{h} (s): free*z + forced.'*remainders, (R k)-by-R and (R m)-by-(R k), sparse, with R = rows (z).  The remainders stand
-## below each other, (R m)-by-1, from the first node to the last; @var{weights} (m-by-m) times a row of values at the nodes
-## gives k! times the coefficients of the powers of x.
+## @deftypefn {} {[@var{free}, @var{forced}] =} panel_response (@var{modal}, @var{h}, @var{x}, @var{weights}, @
+##   @var{extra})
+## What a state z of @code{modal_form} with @var{extra} states w becomes at the fractions @var{x} (1-by-k, increasing)
+## of a panel of @var{h} (s): free*z + forced.'*remainders, (R k)-by-R and (R m)-by-(R k), sparse, with R = rows (z).
+## The remainders stand below each other, (R m)-by-1, from the first node to the last; @var{weights} (m-by-m) times a
+## row of values at the nodes gives k! times the coefficients of the powers of x.
 ## @end deftypefn
 
 function [free, forced] = panel_response (modal, h, x, weights, extra)
@@ -22,10 +23,11 @@ function [free, forced] = panel_response (modal, h, x, weights, extra)
   coordinate = ((1:n).' + first_row)(:);
   rest = ((2*n+1:R).' + first_row)(:);
   [of_coordinate, of_rest] = deal (kron (times_k, (1:n).'), kron (times_k, (2*n+1:R).'));
-  free = blocks (coordinate, of_coordinate, n, same(:,1), other(:,1), omega, damping, rest, of_rest, ones (k*extra, 1), R*k, R);
+  free = blocks (coordinate, of_coordinate, n, same(:,1), other(:,1), omega, damping, rest, of_rest, ...
+                 ones (k*extra, 1), R*k, R);
   node = R*(0:m-1);
-  forced = blocks (coordinate, of_coordinate + node, n, same_forced, other_forced, omega, damping, rest, of_rest + node, ...
-                   constant, R*k, R*m).';
+  forced = blocks (coordinate, of_coordinate + node, n, same_forced, other_forced, omega, damping, ...
+                   rest, of_rest + node, constant, R*k, R*m).';
 endfunction
 
 ## same + other*A for the modes, the constants for the rest

@@ -1,14 +1,16 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{window} =} solve_window (@var{modal}, @var{t}, @var{z}, @var{h}, @var{panels}, @var{panel}, @var{scale})
+## @deftypefn {} {@var{window} =} solve_window (@var{modal}, @var{t}, @var{z}, @var{h}, @var{panels}, @var{panel}, @
+##   @var{scale})
 ## Solve z_dot = oscillation + remainder (see @code{modal_form}) from the time @var{t} (s) and the state @var{z} on,
-## through so many @var{panels} of @var{h} (s) each, by waveform relaxation: the remainder at all nodes of all panels at
-## once, then the oscillators under it, exactly, and again until a sweep changes less than a tenth of the @var{scale},
-## which is what (eta; w) may be off by.
+## through so many @var{panels} of @var{h} (s) each, by waveform relaxation: the remainder at all nodes of all panels
+## at once, then the oscillators under it, exactly, and again until a sweep changes less than a tenth of the
+## @var{scale}, which is what (eta; w) may be off by.
 ##
 ## @var{panel} has the matrices of one panel: nodes (1-by-m, 0 to 1), free and forced at all nodes but the first (see
-## @code{panel_response}), and defect (m-by-m), which leaves of values at the nodes (in a row) what polynomials of two degrees less do not
-## have.  @var{window}: converged, error (estimate, in units of the scale: as if the defect met every mode in resonance),
-## starts (states where the panels begin and end, R-by-(panels + 1)), remainders ((R m)-by-panels), sweeps.
+## @code{panel_response}), and defect (m-by-m), which leaves of values at the nodes (in a row) what polynomials of two
+## degrees less do not have.  @var{window}: converged, error (estimate, in units of the scale: as if the defect met
+## every mode in resonance), starts (states where the panels begin and end, R-by-(panels + 1)), remainders
+## ((R m)-by-panels), sweeps.
 ## @end deftypefn
 
 function window = solve_window (modal, t, z, h, panels, panel, scale)
@@ -68,6 +70,7 @@ endfunction
 %! panel = struct ("nodes", nodes, "defect", zeros (5));
 %! [panel.free, panel.forced] = panel_response (modal, 0.1, nodes(2:end), weights, 0);
 %! window = solve_window (modal, 0, [1; 0], 0.1, 2, panel, 1e-9);
-%! [~, y] = ode45 (@(t, y) [y(2); -4*y(1) - y(1)^3/10], [0 0.1 0.2], [1; 0], odeset ("RelTol", 1e-11, "AbsTol", 1e-11));
+%! options = odeset ("RelTol", 1e-11, "AbsTol", 1e-11);
+%! [~, y] = ode45 (@(t, y) [y(2); -4*y(1) - y(1)^3/10], [0 0.1 0.2], [1; 0], options);
 %! assert (window.converged);
 %! assert (window.starts, y.', 1e-9);

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{R} =} stability_function (@var{method})
-## The stability function of an explicit Runge-Kutta @var{method}, rk4, ode45 or ode23, as a polynomial: y' = lambda y
-## becomes R (h lambda) y in a step of h.  Its coefficients are 1 and b.A^k.1 of the tableau (Hairer and Wanner, Solving
-## Ordinary Differential Equations II, IV.2).  Empty for other methods.
+## The stability function of an explicit Runge-Kutta @var{method}, rk4, ode45 or ode23, as a polynomial:
+## y' = lambda y becomes R (h lambda) y in a step of h.  Its coefficients are 1 and b.A^k.1 of the tableau (Hairer and
+## Wanner, Solving Ordinary Differential Equations II, IV.2).  Empty for other methods.
 ## @end deftypefn
 
 function R = stability_function (method)

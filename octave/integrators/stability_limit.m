@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{limit} =} stability_limit (@var{method})
-## The largest h*omega at which an undamped oscillation of frequency omega does not grow in steps of h: from the stability
-## function of an explicit Runge-Kutta @var{method}, 2 for Stoermer and Verlet's; Inf for methods without a limit, or
-## without a stability function.
+## The largest h*omega at which an undamped oscillation of frequency omega does not grow in steps of h: from the
+## stability function of an explicit Runge-Kutta @var{method}, 2 for Stoermer and Verlet's; Inf for methods without a
+## limit, or without a stability function.
 ## @end deftypefn
 
 function limit = stability_limit (method)

@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
-## @deftypefn {} {} stop_integration (@var{method}, @var{system}, @var{t}, @var{last_time}, @var{h}, @var{what}, @var{remedy})
-## The error of an integration by @var{method} that cannot go on from the time @var{t} (s) of @var{last_time} (or system.duration): @var{what}
-## happened, with the step @var{h} (s, NaN: not known), the highest frequency of the linear system and the method's limit of stability,
-## if it has one (see @code{stability_limit}), and what to try.
+## @deftypefn {} {} stop_integration (@var{method}, @var{system}, @var{t}, @var{last_time}, @var{h}, @var{what}, @
+##   @var{remedy})
+## The error of an integration by @var{method} that cannot go on from the time @var{t} (s) of @var{last_time} (or
+## system.duration): @var{what} happened, with the step @var{h} (s, NaN: not known), the highest frequency of the
+## linear system and the method's limit of stability, if it has one (see @code{stability_limit}), and what to try.
 ## @end deftypefn
 
 function stop_integration (method, system, t, last_time, h, what, remedy)
@@ -24,5 +25,5 @@ function stop_integration (method, system, t, last_time, h, what, remedy)
   error ("toolchain:integration", "%s; try %s, fewer modes or another solver\n", text, remedy);
 endfunction
 
-%!error <rk4 stopped at t = 0.5 s of 2 s: no number: a step of 0.1 s times the highest frequency, 100 rad/s, is 10 where the method is stable below 2.828; try steps below 0.028 s, rest,>
+%!error <rk4 stopped at t = 0.5 s of 2 s: no number: .* 0.1 s .* 100 rad/s, is 10 .* 2.828; try .* 0.028 s, rest,>
 %! stop_integration ("rk4", struct ("stiffness", 1e4, "mass", 1), 0.5, 2, 0.1, "no number", "rest");

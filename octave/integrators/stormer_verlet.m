@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{stepper} =} stormer_verlet (@var{system}, @var{h}, @var{solver})
-## Stoermer and Verlet's method in steps of @var{h} (s), for @code{integrate_fixed}: half a step of the momenta, a step of
-## the coordinates, half a step of the momenta.  Where the kinetic energy depends on the coordinates, their equations are
-## solved by iteration, so that the method is symplectic and symmetric (Hairer, Lubich and Wanner, Acta Numerica 12, 2003,
-## (1.23)).
+## Stoermer and Verlet's method in steps of @var{h} (s), for @code{integrate_fixed}: half a step of the momenta, a step
+## of the coordinates, half a step of the momenta.  Where the kinetic energy depends on the coordinates, their
+## equations are solved by iteration, so that the method is symplectic and symmetric (Hairer, Lubich and Wanner, Acta
+## Numerica 12, 2003, (1.23)).
 ## @end deftypefn
 
 function stepper = stormer_verlet (system, h, solver)

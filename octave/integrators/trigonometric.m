@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{stepper} =} trigonometric (@var{system}, @var{h}, @var{solver})
 ## Strang's splitting in coordinates and momenta, symplectic and symmetric, in steps of @var{h} (s), for
-## @code{integrate_fixed}: half a step of what is not linear, by the implicit midpoint rule, a step of the linear oscillation,
-## exactly, and half a step again (Deuflhard, Z. angew. Math. Phys. 30, 1979; Hairer, Lubich and Wanner, Geometric
-## Numerical Integration, XIII).  Steps of k*pi/omega meet its resonances.
+## @code{integrate_fixed}: half a step of what is not linear, by the implicit midpoint rule, a step of the linear
+## oscillation, exactly, and half a step again (Deuflhard, Z. angew. Math. Phys. 30, 1979; Hairer, Lubich and Wanner,
+## Geometric Numerical Integration, XIII).  Steps of k*pi/omega meet its resonances.
 ## @end deftypefn
 
 function stepper = trigonometric (system, h, solver)

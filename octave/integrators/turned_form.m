@@ -1,12 +1,12 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{turned} =} turned_form (@var{system}, @var{start}, @var{y})
-## A system for explicit methods without the stiffness of its linear modes, for a while from the time @var{start} (s) and
-## the state @var{y} on: by variation of constants.  The modal coordinates (see @code{modal_form}, with the stiffness of
-## the rod as it turns) are those that the constants u would have become, left to oscillate under the remainder at the
-## start, as if it stayed; only its change moves u.
+## A system for explicit methods without the stiffness of its linear modes, for a while from the time @var{start} (s)
+## and the state @var{y} on: by variation of constants.  The modal coordinates (see @code{modal_form}, with the
+## stiffness of the rod as it turns) are those that the constants u would have become, left to oscillate under the
+## remainder at the start, as if it stayed; only its change moves u.
 ##
-## Fields: rate (t, u), state (t, u) = y, start = u at the start, and scale, what u may be off by where a centreline point
-## is off by 1 m.
+## Fields: rate (t, u), state (t, u) = y, start = u at the start, and scale, what u may be off by where a centreline
+## point is off by 1 m.
 ## @end deftypefn
 
 function turned = turned_form (system, start, y)
@@ -51,8 +51,8 @@ function u_dot = turned_rate (t, u, start, omega, n, remainder, constant)
 endfunction
 
 %!test # what oscillates under a constant load stands still, the state comes back
-%! system = struct ("mass", eye (2), "stiffness_at", @(t, y) diag ([0 9]), "state_scale", ones (5, 1), "duration", 1, ...
-%!                  "velocity_matrix", eye (2), "initial_state", zeros (5, 1));
+%! system = struct ("mass", eye (2), "stiffness_at", @(t, y) diag ([0 9]), "state_scale", ones (5, 1), ...
+%!                  "duration", 1, "velocity_matrix", eye (2), "initial_state", zeros (5, 1));
 %! system.rate = @(t, y) [y(3:4); [2; 18] - [0; 9].*y(1:2); y(3)];
 %! turned = turned_form (system, 2, [1; 2; 3; 4; 5]);
 %! assert (turned.rate (2.7, turned.start)(1:4), zeros (4, 1), 1e-14);

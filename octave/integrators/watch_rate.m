@@ -4,9 +4,9 @@
 ## @deftypefnx {} {} watch_rate ("steps", @var{steps})
 ## @deftypefnx {} {@var{calls} =} watch_rate ("calls")
 ## @deftypefnx {} {@var{calls} =} watch_rate ()
-## Start to watch a rate up to @var{end_time} (s); let values pass and count them, one a column; be told of so many more
-## @var{steps}; the number of calls so far, a value each; end, with that number.
-## On a terminal it shows how far the time @var{t} (s) has come (see @code{progress_text}).
+## Start to watch a rate up to @var{end_time} (s); let values pass and count them, one a column; be told of so many
+## more @var{steps}; the number of calls so far, a value each; end, with that number.  On a terminal it shows how far
+## the time @var{t} (s) has come (see @code{progress_text}).
 ## @end deftypefn
 
 function value = watch_rate (t, value)

@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{start}, @var{warnings}] =} assemble_mechanism (@var{scene}, @var{mechanism}, @var{system})
-## The first state, a struct of q, v, W, D: what the scene states, brought onto the constraints by projection, of positions
-## in the metric of mass and stiffness (rods are moved, not bent), of velocities in the mass metric; @var{warnings} (cellstr) say what that changed, and which bodies hang on nothing.
+## The first state, a struct of q, v, W, D: what the scene states, brought onto the constraints by projection, of
+## positions in the metric of mass and stiffness (rods are moved, not bent), of velocities in the mass metric;
+## @var{warnings} (cellstr) say what that changed, and which bodies hang on nothing.
 ##
 ## A mechanism that cannot be assembled is an error that names the joints that stay apart, one whose constraints depend
 ## on each other one that names these.
@@ -26,8 +27,9 @@ function refuse_open (scene, mechanism, system, q)
   joints = mechanism.constraints.joint(residual > max (residual)/100);
   names = unique ({scene.joints(joints).name});
   bodies = unique ([scene.joints(joints).bodies]);
-  scene_error ("the mechanism cannot be assembled: %s stay apart by %.3g m (or rad); the loop through %s does not close", ...
-               strjoin (names, ", "), max (residual), strjoin ({scene.bodies(bodies(bodies > 0)).name}, ", "));
+  loop = {scene.bodies(bodies(bodies > 0)).name};
+  scene_error (["the mechanism cannot be assembled: %s stay apart by %.3g m (or rad); the loop through %s" ...
+                " does not close"], strjoin (names, ", "), max (residual), strjoin (loop, ", "));
 endfunction
 
 function warnings = what_moved (dq, dv, mechanism, scene)
@@ -38,7 +40,8 @@ function warnings = what_moved (dq, dv, mechanism, scene)
     metres = abs ([dq(index), dv(index)]).*[ones(numel (index) - 3, 1); l; 1; 1];
     moved = max (metres, [], 1);
     if (any (moved > 1e-9*[l, max(l, 1)]))
-      warnings{end+1} = sprintf ("%s was moved by %.2g m and %.2g m/s to meet its joints", scene.bodies(k).name, moved);
+      warnings{end+1} = sprintf ("%s was moved by %.2g m and %.2g m/s to meet its joints", ...
+                                 scene.bodies(k).name, moved);
     endif
   endfor
 endfunction
@@ -69,7 +72,8 @@ endfunction
 
 %!function scene = bars (coupler)
 %!  rod = @(l) struct ("rod", struct ("length", l, "EA", 1, "EI", 1, "rhoA", 1), "model", struct ("modes", [0 0]));
-%!  scene.bodies = {rod(0.2), setfield(rod (coupler), "initial", struct ("phi", 0.5)), setfield(rod (0.5), "initial", struct ("phi", 1.5))};
+%!  scene.bodies = {rod(0.2), setfield(rod (coupler), "initial", struct ("phi", 0.5)), ...
+%!                  setfield(rod (0.5), "initial", struct ("phi", 1.5))};
 %!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), ...
 %!                  struct("kind", "revolute", "bodies", [1 2], "stations", [0.2 0]), ...
 %!                  struct("kind", "revolute", "bodies", [2 3], "stations", [coupler 0.5], "name", "pin"), ...
@@ -88,7 +92,8 @@ endfunction
 %! assert (! isempty (strfind (warnings{1}, "was moved by")));
 %!error <cannot be assembled: .*; the loop through .*body 2.* does not close> assembled (bars (2))
 %!error <[0-9] of 9 constraints depend on the others, those of .*: take a joint of another kind there, or none>
-%! scene = bars (0.7); scene.joints{5} = struct ("kind", "slider", "bodies", 3, "stations", 0, "point", [0.6 0]); assembled (scene);
+%! scene = bars (0.7); scene.joints{5} = struct ("kind", "slider", "bodies", 3, "stations", 0, "point", [0.6 0]);
+%! assembled (scene);
 %!test # what hangs on nothing, and what cannot move
 %! scene = bars (0.7); scene.joints(4) = [];
 %! scene.joints(1) = [];

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} check_mechanism (@var{given})
-## The scene of a mechanism with all its fields (see @code{mechanism_fields}): those @var{given}, checked, and defaults for
-## the others; bodies and joints become struct arrays, a joint's bodies two numbers (0: the ground).
+## The scene of a mechanism with all its fields (see @code{mechanism_fields}): those @var{given}, checked, and defaults
+## for the others; bodies and joints become struct arrays, a joint's bodies two numbers (0: the ground).
 ## @end deftypefn
 
 function scene = check_mechanism (given)
@@ -48,19 +48,20 @@ function joint = check_joint (joint, what, scene)
   bodies = joint.bodies(:).';
   if (! any (numel (bodies) == [1 2]) || any (bodies != fix (bodies)) || bodies(1) < 1 || any (bodies < 0) ...
       || any (bodies > numel (scene.bodies)) || (numel (bodies) == 2 && bodies(1) == bodies(2)))
-    scene_error ("%s.bodies is [%s]: it takes a body's number from 1 to %d, and another's or 0 for the ground", what, ...
-                 num2str (bodies), numel (scene.bodies));
+    scene_error ("%s.bodies is [%s]: it takes a body's number from 1 to %d, and another's or 0 for the ground", ...
+                 what, num2str (bodies), numel (scene.bodies));
   endif
   joint.bodies = [bodies, 0](1:2);
   on = joint.bodies(joint.bodies > 0);
   if (numel (joint.stations) != numel (on))
-    scene_error ("%s.stations are [%s]: it takes a station on each of its %d bodies", what, num2str (joint.stations(:).'), ...
-                 numel (on));
+    scene_error ("%s.stations are [%s]: it takes a station on each of its %d bodies", what, ...
+                 num2str (joint.stations(:).'), numel (on));
   endif
   for k = 1:numel (on)
     length = scene.bodies(on(k)).rod.length;
     if (joint.stations(k) < 0 || joint.stations(k) > length)
-      scene_error ("%s.stations(%d) is %g: body %d has places from 0 to %g m", what, k, joint.stations(k), on(k), length);
+      scene_error ("%s.stations(%d) is %g: body %d has places from 0 to %g m", what, k, joint.stations(k), ...
+                   on(k), length);
     endif
   endfor
   joint.stations = [joint.stations(:).', 0](1:2);
@@ -124,12 +125,14 @@ endfunction
 %!function scene = two ()
 %!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1e6, "EI", 20, "rhoA", 1)), ...
 %!                  struct("rod", struct ("length", 2, "width", 0.02, "half_height", 0.01))};
-%!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), struct("kind", "revolute", "bodies", [1 2], "stations", [1 0])};
+%!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), ...
+%!                  struct("kind", "revolute", "bodies", [1 2], "stations", [1 0])};
 %!  scene.duration = 1;
 %!endfunction
 %!test
 %! scene = check_mechanism (two ());
-%! assert (scene.joints(1).bodies, [1 0]); assert (scene.joints(2).stations, [1 0]); assert (scene.bodies(2).name, "body 2");
+%! assert (scene.joints(1).bodies, [1 0]); assert (scene.joints(2).stations, [1 0]);
+%! assert (scene.bodies(2).name, "body 2");
 %!error <joints\(1\).kind is "glue": it takes "revolute", "weld",>
 %! scene = two (); scene.joints{1}.kind = "glue"; check_mechanism (scene);
 %!error <joints\(2\).bodies is \[1  3\]: it takes a body's number from 1 to 2>
@@ -143,4 +146,5 @@ endfunction
 %!error <bodies\(2\).rod.width and>
 %! scene = two (); scene.bodies{2}.rod.width = []; check_mechanism (scene);
 %!error <joints\(3\).value gives \[1;NaN;0\] at t = 0: it takes finite numbers>
-%! scene = two (); scene.joints{3} = struct ("kind", "angle", "bodies", 1, "stations", 0, "value", @(t) [1 NaN 0]); check_mechanism (scene);
+%! scene = two (); scene.joints{3} = struct ("kind", "angle", "bodies", 1, "stations", 0, "value", @(t) [1 NaN 0]);
+%! check_mechanism (scene);

@@ -1,10 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{mechanism}, @var{choice}] =} choose_mechanism (@var{scene})
-## The mechanism with the fewest modes whose centrelines are within the scene's tolerance in every frame, for bodies with
-## model.modes = "auto" (see @code{mechanism_rungs}); other bodies keep what they state.
+## The mechanism with the fewest modes whose centrelines are within the scene's tolerance in every frame, for bodies
+## with model.modes = "auto" (see @code{mechanism_rungs}); other bodies keep what they state.
 ##
-## The levels of all rise together until the next ones but one move no point by more than half the tolerance; then each body
-## goes down for as long as that holds, and does without longitudinal modes where it can: they are the fastest.
+## The levels of all rise together until the next ones but one move no point by more than half the tolerance; then each
+## body goes down for as long as that holds, and does without longitudinal modes where it can: they are the fastest.
 ## @var{choice}: tried (a struct array of levels, longitudinal, error_m, seconds), error (m) and trial (see
 ## @code{mechanism_trial}; [] where nothing was chosen), levels, longitudinal.
 ## @end deftypefn
@@ -70,7 +70,8 @@ endfunction
 %! rod = struct ("length", 0.5, "EA", 1e6, "EI", 5, "rhoA", 1);
 %! model = struct ("modes", "auto", "energy", "uniaxial");
 %! scene.bodies = {struct("rod", setfield (rod, "EI", 1e6), "model", model), struct("rod", rod, "model", model)};
-%! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), struct("kind", "revolute", "bodies", [1 2], "stations", [0.5 0])};
+%! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), ...
+%!                 struct("kind", "revolute", "bodies", [1 2], "stations", [0.5 0])};
 %! scene.duration = 0.2; scene.solver.tolerance = 1e-4;
 %! [~, choice] = choose_mechanism (check_mechanism (scene));
 %! assert (choice.levels, [0 1]); assert (choice.error < 0.5e-4);

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{forces} =} forces_of_markers (@var{mechanism}, @var{at}, @var{F})
-## Generalized forces (n-by-k) of forces and moments on the markers, @var{F} = struct of x, y (N), angle (N m; markers-by-k),
-## in the states that @var{at} came from (see @code{marker_motion}).
+## Generalized forces (n-by-k) of forces and moments on the markers, @var{F} = struct of x, y (N), angle (N m;
+## markers-by-k), in the states that @var{at} came from (see @code{marker_motion}).
 ## @end deftypefn
 
 function forces = forces_of_markers (mechanism, at, F)

@@ -3,7 +3,8 @@
 ## The model of a mechanism's @var{body} on a @var{rung} of the ladder: as @code{build_model} of a hinged rod, with its
 ## mass (kg) in arrays.mass.
 ##
-## Sines fit pinned ends.  rung.sines holds [N1 N2]; with rung.corrections (see @code{base_functions}) ends may bear moments.
+## Sines fit pinned ends.  rung.sines holds [N1 N2]; with rung.corrections (see @code{base_functions})
+## ends may bear moments.
 ## @end deftypefn
 
 function model = free_rod_model (body, rung)

@@ -17,10 +17,10 @@ function c = joint_constraints (constraints, t, at)
     rates = {at.x_dot(p,:), at.y_dot(p,:), at.angle_dot(p,:), at.x_dot(s,:), at.y_dot(s,:), at.angle_dot(s,:)};
     convections = {at.x_convection(p,:), at.y_convection(p,:), at.angle_convection(p,:), ...
                    at.x_convection(s,:), at.y_convection(s,:), at.angle_convection(s,:)};
-    offset = {kind.offset.*ones(1, numel (t))};
+    offset = {kind.offset.*ones(1, numel (t))}(1:double (kind.takes_offset));
     values = values_at (constraints.values, kind, t);
     g = cell (1, 6);
-    [residual, rate, convection, g{:}] = kind.form (motion{:}, rates{:}, offset(1:double (kind.takes_offset)){:}, values{:});
+    [residual, rate, convection, g{:}] = kind.form (motion{:}, rates{:}, offset{:}, values{:});
     velocity = rate;
     for slot = 1:6
       velocity += g{slot}.*rates{slot};

@@ -10,7 +10,8 @@
 ## @item weld
 ## The points and the tangents of both stay together, as they begin.
 ## @item slider
-## The point of the first stays on the line through the point of the second along its tangent, or along direction on the ground.
+## The point of the first stays on the line through the point of the second along its tangent, or along
+## direction on the ground.
 ## @item angle
 ## The first tangent is turned against the second (or the ground) by the value: a number, or [a a_dot a_ddot] of t.
 ## @item position

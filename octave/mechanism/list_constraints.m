@@ -30,8 +30,9 @@ function constraints = list_constraints (mechanism, joints, part = "constraints"
   for form = unique (table(:,1)).'
     mine = table(strcmp (table(:,1), form{1}),:);
     j = vertcat (mine{:,3});
-    kind = struct ("form", str2func (form{1}), "rows", vertcat (mine{:,2}), "joints", j, "component", vertcat (mine{:,4}), ...
-                   "first", mechanism.marker_of(j,1), "second", mechanism.marker_of(j,2));
+    markers = mechanism.marker_of(j,:);
+    kind = struct ("form", str2func (form{1}), "rows", vertcat (mine{:,2}), "joints", j, ...
+                   "component", vertcat (mine{:,4}), "first", markers(:,1), "second", markers(:,2));
     kind.offset = zeros (numel (j), 1);
     on_rods = arrayfun (@(joint) joint.bodies(2) > 0, joints(j));
     kind.offset(on_rods) = [joints(j(on_rods)).direction];

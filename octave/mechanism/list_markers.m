@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{mechanism} =} list_markers (@var{mechanism}, @var{joints})
-## The @var{mechanism} with the markers of its @var{joints}: marker_of (joints-by-2: the markers of each joint, numbered), ground
-## (x, y, angle of those on the ground) and markers (markers of equal bodies at one station, a group each: group, columns
-## (of the group's bodies), numbers (of the markers), arguments (of @code{rod_marker} after the state)).
+## The @var{mechanism} with the markers of its @var{joints}: marker_of (joints-by-2: the markers of each joint,
+## numbered), ground (x, y, angle of those on the ground) and markers (markers of equal bodies at one station,
+## a group each: group, columns (of the group's bodies), numbers (of the markers), arguments (of
+## @code{rod_marker} after the state)).
 ## @end deftypefn
 
 function mechanism = list_markers (mechanism, joints)

@@ -1,9 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{at} =} marker_motion (@var{mechanism}, @var{q}, @var{v})
-## Where the markers of a @var{mechanism} are and how they move, in the states @var{q}, @var{v} (n-by-k; k times or stages):
-## a struct of x, y, angle, their rates x_dot, y_dot, angle_dot and x_convection, y_convection, angle_convection
-## (accelerations without those of the coordinates; markers-by-k), and parts (derivatives by the coordinates of each marker
-## group's bodies: index (coordinates-by-bodies), numbers, x_q, y_q, angle_q ((coordinates)-by-(bodies k))).
+## Where the markers of a @var{mechanism} are and how they move, in the states @var{q}, @var{v} (n-by-k; k times or
+## stages): a struct of x, y, angle, their rates x_dot, y_dot, angle_dot and x_convection, y_convection,
+## angle_convection (accelerations without those of the coordinates; markers-by-k), and parts (derivatives by the
+## coordinates of each marker group's bodies: index (coordinates-by-bodies), numbers, x_q, y_q, angle_q
+## ((coordinates)-by-(bodies k))).
 ## @end deftypefn
 
 function at = marker_motion (mechanism, q, v)
@@ -25,7 +26,8 @@ function at = marker_motion (mechanism, q, v)
     Q = reshape (q(index,:), R, []);
     Q_dot = reshape (v(index,:), R, []);
     [x, y, a, x_dot, y_dot, a_dot, x_c, y_c, a_c, x_phi, y_phi, x_V, y_V, a_V] = rod_marker (
-      Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), Q(n+2,:), Q(n+3,:), group.arguments{:});
+      Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), Q(n+2,:), Q(n+3,:), ...
+      group.arguments{:});
     i = group.numbers;
     at.x(i,:) = reshape (x, bodies, k);
     at.y(i,:) = reshape (y, bodies, k);
@@ -38,8 +40,8 @@ function at = marker_motion (mechanism, q, v)
     at.angle_convection(i,:) = reshape (a_c, bodies, k);
     one = ones (1, columns (Q));
     none = 0*one;
-    at.parts{g} = struct ("index", index, "numbers", i, "x_q", [x_V; x_phi; one; none], "y_q", [y_V; y_phi; none; one], ...
-                          "angle_q", [a_V; one; none; none]);
+    at.parts{g} = struct ("index", index, "numbers", i, "x_q", [x_V; x_phi; one; none], ...
+                          "y_q", [y_V; y_phi; none; one], "angle_q", [a_V; one; none; none]);
   endfor
 endfunction
 

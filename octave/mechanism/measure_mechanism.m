@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{history} =} measure_mechanism (@var{system}, @var{times}, @var{states})
-## What is observed of a mechanism at the frame times: a struct of 1-by-m rows t, T, U, Z, W, D, balance (T + U + Z + D - W,
-## constant), lambda (constraints-by-m), markers (x, y: markers-by-m), residual and velocity_residual (the largest of all constraints, 1-by-m) and
-## bodies (a struct array of phi, phi_dot, x, y, tip_x, tip_y (1-by-m), V (N-by-m) and V_names).
+## What is observed of a mechanism at the frame times: a struct of 1-by-m rows t, T, U, Z, W, D, balance (T + U + Z +
+## D - W, constant), lambda (constraints-by-m), markers (x, y: markers-by-m), residual and velocity_residual (the
+## largest of all constraints, 1-by-m) and bodies (a struct array of phi, phi_dot, x, y, tip_x, tip_y (1-by-m),
+## V (N-by-m) and V_names).
 ## @end deftypefn
 
 function history = measure_mechanism (system, times, states)

@@ -10,8 +10,9 @@ function E = mechanism_energies (mechanism, q, v)
     n = R - 3;
     Q = reshape (q(group.index,:), R, []);
     Q_dot = reshape (v(group.index,:), R, []);
-    [T, U, Z] = free_rod_energies (Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), Q(n+3,:), ...
-                                   group.arguments.inertia{:}, group.arguments.potential{:}, group.model.arrays.mass);
+    constants = group.arguments;
+    [T, U, Z] = free_rod_energies (Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), ...
+                                   Q(n+3,:), constants.inertia{:}, constants.potential{:}, group.model.arrays.mass);
     for i = 1:3
       E(i,:) += sum (reshape ({T, U, Z}{i}, bodies, []), 1);
     endfor

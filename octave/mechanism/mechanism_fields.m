@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{scene}, @var{body}, @var{joint}] =} mechanism_fields ()
-## All fields of a scene with several bodies, of each of its bodies and of each of its joints, a row each: name, default,
-## kind (see @code{value_error}).  rod and model of a body are those of a scene with one rod (see @code{scene_fields}).
+## All fields of a scene with several bodies, of each of its bodies and of each of its joints, a row each:
+## name, default, kind (see @code{value_error}).  rod and model of a body are those of a scene with one rod
+## (see @code{scene_fields}).
 ##
 ## initial.x, initial.y (m) are the place of the body's end O; without them it is where its first joint puts it.
 ## A joint's kind says which of its fields count, see @code{joint_kinds}.
@@ -27,8 +28,8 @@ function [scene, body, joint] = mechanism_fields ()
     "initial.y_dot",   0,  "number in m/s"
     "initial.phi_dot", 0,  "number in rad/s"
   };
-  body = [{"name", "", "text"}; of("rod."); of("tip_mass"); initial; of("initial.V");
-          of("model.modes"); of("model.energy"); of("model.axial"); of("model.stiffening"); of("model.rotary_inertia")];
+  body = [{"name", "", "text"}; of("rod."); of("tip_mass"); initial; of("initial.V"); of("model.modes");
+          of("model.energy"); of("model.axial"); of("model.stiffening"); of("model.rotary_inertia")];
   joint = {
     "name",      "",      "text"
     "kind",      NaN,     ["\"" strjoin({joint_kinds().name}, "\", \"") "\""]

@@ -1,5 +1,6 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{mass}, @var{jacobian}, @var{spring_jacobian}] =} mechanism_matrices (@var{mechanism}, @var{d}, @var{at}, @var{c}, @var{springs})
+## @deftypefn {} {[@var{mass}, @var{jacobian}, @var{spring_jacobian}] =} mechanism_matrices (@var{mechanism}, @
+##   @var{d}, @var{at}, @var{c}, @var{springs})
 ## The mass matrix (n-by-n), Phi_q (constraints-by-n) and the derivatives of the springs' elongations (springs-by-n),
 ## sparse, in the one state that @var{d}, @var{at}, @var{c} and @var{springs} came from (see @code{rod_dynamics},
 ## @code{marker_motion}, @code{joint_constraints}).

@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{system} =} mechanism_system (@var{scene}, @var{mechanism})
-## A mechanism as its integrators see it: M (q) q'' + Phi_q' lambda = f (t, q, q'), Phi (t, q) = 0, from L - lambda Phi.
+## A mechanism as its integrators see it: M (q) q'' + Phi_q' lambda = f (t, q, q'), Phi (t, q) = 0, from
+## L - lambda Phi.
 ##
 ## Fields: n, constraint_count, spring_count, stiffness, damping_matrix (n-by-n, constant), mass (n-by-n, of the bodies
 ## as they are made), duration, breaks, q_scale (m: what each coordinate may be off by where a point is off by 1 m),

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{tolerance} =} mechanism_tolerance (@var{scene})
-## The scene's tolerance as a length: "pixel" is half a pixel of a frame, 720 pixels for 2.5 times the longest rod, at the
-## scene's zoom, as for one rod.
+## The scene's tolerance as a length: "pixel" is half a pixel of a frame, 720 pixels for 2.5 times the longest rod, at
+## the scene's zoom, as for one rod.
 ## @end deftypefn
 
 function tolerance = mechanism_tolerance (scene)

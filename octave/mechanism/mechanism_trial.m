@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{trial} =} mechanism_trial (@var{scene}, @var{rungs})
-## Run a checked scene's mechanism with its bodies on the @var{rungs} (see @code{build_mechanism}): a struct of mechanism, history, x, y (11
-## stations of each body by frames, m), count, warnings and seconds.
+## Run a checked scene's mechanism with its bodies on the @var{rungs} (see @code{build_mechanism}): a struct of
+## mechanism, history, x, y (11 stations of each body by frames, m), count, warnings and seconds.
 ## @end deftypefn
 
 function trial = mechanism_trial (scene, rungs)

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{q}, @var{v}] =} placed_bodies (@var{scene}, @var{mechanism})
-## Coordinates and rates (n-by-1) that the scene's bodies state: a body without initial.x and initial.y is where its first
-## joint with a body that has its place, or with the ground, puts its point.
+## Coordinates and rates (n-by-1) that the scene's bodies state: a body without initial.x and initial.y is where its
+## first joint with a body that has its place, or with the ground, puts its point.
 ## @end deftypefn
 
 function [q, v] = placed_bodies (scene, mechanism)

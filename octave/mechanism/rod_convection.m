@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{f} =} rod_convection (@var{mechanism}, @var{q}, @var{v})
-## What of the rates of the rods' momenta comes without accelerations, (dM/dt) v, in the states @var{q}, @var{v} (n-by-k).
+## What of the rates of the rods' momenta comes without accelerations, (dM/dt) v, in the states
+## @var{q}, @var{v} (n-by-k).
 ## @end deftypefn
 
 function f = rod_convection (mechanism, q, v)
@@ -9,8 +10,9 @@ function f = rod_convection (mechanism, q, v)
     n = rows (group.index) - 3;
     Q = reshape (q(group.index,:), n + 3, []);
     Q_dot = reshape (v(group.index,:), n + 3, []);
-    [V, phi, x, y] = free_rod_convection (Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), ...
-                                          group.arguments.inertia{:}, group.arguments.potential{3:end}, group.model.arrays.mass);
+    [V, phi, x, y] = ...
+      free_rod_convection (Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), ...
+                           group.arguments.inertia{:}, group.arguments.potential{3:end}, group.model.arrays.mass);
     f(group.index,:) = reshape ([V; phi; x; y], [], columns (q));
   endfor
 endfunction

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{d} =} rod_dynamics (@var{mechanism}, @var{q}, @var{v})
 ## The free rods' equations in the states @var{q}, @var{v} (n-by-k): a struct of force (n-by-k, generalized forces: of
-## weight, stiffness, damping and motion), dissipated (1-by-k, W) and blocks (a cell a group, of what changes in the mass
-## matrix; see @code{free_rod_equations}).
+## weight, stiffness, damping and motion), dissipated (1-by-k, W) and blocks (a cell a group, of what changes in the
+## mass matrix; see @code{free_rod_equations}).
 ## @end deftypefn
 
 function d = rod_dynamics (mechanism, q, v)
@@ -16,10 +16,11 @@ function d = rod_dynamics (mechanism, q, v)
     n = R - 3;
     Q = reshape (q(group.index,:), R, []);
     Q_dot = reshape (v(group.index,:), R, []);
+    constants = group.arguments;
     b = struct ();
     [b.V_phi, b.V_x, b.V_y, b.phi_phi, b.phi_x, b.phi_y, force_V, force_phi, force_x, force_y, dissipated] = ...
       free_rod_equations (Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), ...
-                          group.arguments.inertia{:}, group.arguments.potential{:}, group.model.damping, group.model.arrays.mass);
+                          constants.inertia{:}, constants.potential{:}, group.model.damping, group.model.arrays.mass);
     d.force(group.index,:) = reshape ([force_V; force_phi; force_x; force_y], [], k);
     d.dissipated += sum (reshape (dissipated, bodies, k), 1);
     d.blocks{g} = b;

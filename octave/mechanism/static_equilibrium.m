@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{q}, @var{lambda}] =} static_equilibrium (@var{system}, @var{q})
-## Coordinates near @var{q} (n-by-1) at which a mechanism (see @code{mechanism_system}) rests under its loads at t = 0, and
-## its multipliers, by Newton's iteration.  Where it does not converge, it is an error.
+## Coordinates near @var{q} (n-by-1) at which a mechanism (see @code{mechanism_system}) rests under its loads at t = 0,
+## and its multipliers, by Newton's iteration.  Where it does not converge, it is an error.
 ## @end deftypefn
 
 function [q, lambda] = static_equilibrium (system, q)
@@ -25,8 +25,8 @@ function [q, lambda] = static_equilibrium (system, q)
       return;
     endif
   endfor
-  scene_error ("no equilibrium was found from the bodies' places: the last step was %.2g m; place them nearer to it", ...
-               max (abs (step(1:n))));
+  scene_error (["no equilibrium was found from the bodies' places: the last step was %.2g m; place them nearer" ...
+                " to it"], max (abs (step(1:n))));
 endfunction
 
 function r = residual (system, z)

@@ -1,5 +1,6 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{summary} =} summarise_mechanism (@var{name}, @var{scene}, @var{mechanism}, @var{choice}, @var{count}, @var{history}, @var{warnings})
+## @deftypefn {} {@var{summary} =} summarise_mechanism (@var{name}, @var{scene}, @var{mechanism}, @var{choice}, @
+##   @var{count}, @var{history}, @var{warnings})
 ## What a mechanism's run was and how it went: the struct that summary.json holds.
 ## @end deftypefn
 
@@ -14,12 +15,14 @@ function summary = summarise_mechanism (name, scene, mechanism, choice, count, h
   if (! isempty (choice.error))
     summary.model_reason = sprintf ("the fewest modes that keep every point within %.2g m", scene.solver.tolerance/2);
   endif
-  summary.modes = cellfun (@(model) [model.rung.longitudinal, model.rung.bending], mechanism.models, "uniformoutput", false);
+  modes = @(model) [model.rung.longitudinal, model.rung.bending];
+  summary.modes = cellfun (modes, mechanism.models, "uniformoutput", false);
   summary.stiffening = cellfun (@(model) model.rung.stiffening, mechanism.models, "uniformoutput", false);
   summary.method = count.method;
   summary.tolerance_m = scene.solver.tolerance;
   summary.estimated_error_m = choice.error;
-  summary.estimated_error_pixels = choice.error/(2*mechanism_tolerance (setfield (scene, "solver", "tolerance", "pixel")));
+  half_pixel = mechanism_tolerance (setfield (scene, "solver", "tolerance", "pixel"));
+  summary.estimated_error_pixels = choice.error/(2*half_pixel);
   summary.tried = choice.tried;
   summary.seconds = struct ("choice", sum ([choice.tried.seconds, 0]), "integration", count.seconds);
   summary.steps = count.steps;
@@ -30,8 +33,8 @@ function summary = summarise_mechanism (name, scene, mechanism, choice, count, h
   summary.largest_constraint_velocity = max (history.velocity_residual);
   summary.warnings = warnings;
   if (summary.largest_energy_error > 1e-3)
-    summary.warnings{end+1} = sprintf ("the energy balance is off by %.1g of the largest energy: take a smaller tolerance", ...
-                                       summary.largest_energy_error);
+    summary.warnings{end+1} = sprintf (["the energy balance is off by %.1g of the largest energy: take a smaller" ...
+                                        " tolerance"], summary.largest_energy_error);
   endif
   summary.warnings = [summary.warnings, large_deflections(scene, mechanism, history)];
 endfunction
@@ -44,8 +47,8 @@ function warnings = large_deflections (scene, mechanism, history)
     [~, slopes] = functions_at (base, linspace (0, base.length, 21), 1);
     steepest = max (abs (slopes*history.bodies(k).V)(:));
     if (steepest > 0.3)
-      warnings{end+1} = sprintf ("%s bends to a slope of %.2g: the model holds below some 0.3; take it as several rods welded together", ...
-                                 scene.bodies(k).name, steepest);
+      warnings{end+1} = sprintf (["%s bends to a slope of %.2g: the model holds below some 0.3; take it as several" ...
+                                  " rods welded together"], scene.bodies(k).name, steepest);
     endif
   endfor
 endfunction

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} write_mechanism_history (@var{scene}, @var{mechanism}, @var{history}, @var{file})
-## The history (see @code{measure_mechanism}) as CSV: a header of names with units, a row a time, 17 significant digits.
-## Every body has its columns x_1, y_1 (end O), phi_1, phi_dot_1, tip_x_1, tip_y_1, V1_1_1 ...; every joint its point
-## joint_x_1, joint_y_1 and multipliers lambda_1_1 ..., minus what it does to its first body (N, or N m).
+## The history (see @code{measure_mechanism}) as CSV: a header of names with units, a row a time, 17 significant
+## digits.  Every body has its columns x_1, y_1 (end O), phi_1, phi_dot_1, tip_x_1, tip_y_1, V1_1_1 ...; every joint
+## its point joint_x_1, joint_y_1 and multipliers lambda_1_1 ..., minus what it does to its first body (N, or N m).
 ## @end deftypefn
 
 function write_mechanism_history (scene, mechanism, history, file)

@@ -1,5 +1,6 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{arrays} =} add_point_mass (@var{arrays}, @var{base}, @var{station}, @var{mass}, @var{shortening})
+## @deftypefn {} {@var{arrays} =} add_point_mass (@var{arrays}, @var{base}, @var{station}, @var{mass}, @
+##   @var{shortening})
 ## The @var{arrays} of @code{rod_arrays} with a point @var{mass} (kg) at the @var{station} (m) of the centreline.
 ## @end deftypefn
 

@@ -1,12 +1,12 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{model} =} build_model (@var{scene}, @var{rung})
-## The model of a checked scene's rod on a rung of the ladder (see @code{rung_of_scene}): a projection V = basis*q of the
-## same general arrays.
+## The model of a checked scene's rod on a rung of the ladder (see @code{rung_of_scene}): a projection V = basis*q of
+## the same general arrays.
 ##
 ## Fields: rung, section, base (@code{base_functions}), basis (N-by-n), arrays (@code{rod_arrays}, projected, with
 ## slope_1, slope_2 of (27) and the scalars of the followers), whole_mass_matrix and whole_coupling_vector (not
-## projected; a curved rod has the same fields, from @code{build_curved_model}), force (shape_1, shape_2, shortening_matrix where it acts), followers (longitudinal modes without inertia,
-## or empty) and shortening (1 or 0).
+## projected; a curved rod has the same fields, from @code{build_curved_model}), force (shape_1, shape_2,
+## shortening_matrix where it acts), followers (longitudinal modes without inertia, or empty) and shortening (1 or 0).
 ## @end deftypefn
 
 function model = build_model (scene, rung)
@@ -87,7 +87,9 @@ endfunction
 
 %!test # static followers: the elongation of a rod in steady rotation
 %! scene = check_scene (spin_up ());
-%! model = build_model (scene, struct ("sines", [], "bending", 0, "longitudinal", 0, "axial", "quasistatic", "stiffening", "none"));
-%! V1 = rod_followers (0, 6, 0, model.followers.flexibility, model.followers.centrifugal_vector, model.followers.first_moment_1);
+%! rung = struct ("sines", [], "bending", 0, "longitudinal", 0, "axial", "quasistatic", "stiffening", "none");
+%! model = build_model (scene, rung);
+%! V1 = rod_followers (0, 6, 0, model.followers.flexibility, model.followers.centrifugal_vector, ...
+%!                     model.followers.first_moment_1);
 %! [along, across] = functions_at (model.base, 10);
 %! assert (along*V1, 1.2*6^2*10^3/(3*2.8e7), 2e-5*5.14e-4);

@@ -1,13 +1,13 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{choice} =} choose_model (@var{scene})
-## The smallest rung of the ladder whose centreline is within the scene's tolerance in every frame, for model.modes =
-## "auto".  @code{predict_rung} guesses it from the loads; a richer rung is the reference, whose motion says how many modes
-## are needed.  A rung holds if it differs from the reference by at most 95 % of the tolerance; where none does,
-## the reference is the next guess.  From the one that holds, smaller ones are tried for as long as they hold too:
-## of the longitudinal modes, of the bending modes, and without foreshortening.
+## The smallest rung of the ladder whose centreline is within the scene's tolerance in every frame, for
+## model.modes = "auto".  @code{predict_rung} guesses it from the loads; a richer rung is the reference, whose motion
+## says how many modes are needed.  A rung holds if it differs from the reference by at most 95 % of the tolerance;
+## where none does, the reference is the next guess.  From the one that holds, smaller ones are tried for as long as
+## they hold too: of the longitudinal modes, of the bending modes, and without foreshortening.
 ##
-## @var{choice}: trial (the chosen one, see @code{trial_run}), reference (the richer one), error (their distance, m), reason
-## (a sentence), tried (a struct array of rung, name, error_m, seconds, calls), warnings (cellstr).
+## @var{choice}: trial (the chosen one, see @code{trial_run}), reference (the richer one), error (their distance, m),
+## reason (a sentence), tried (a struct array of rung, name, error_m, seconds, calls), warnings (cellstr).
 ## @end deftypefn
 
 function choice = choose_model (scene)
@@ -46,15 +46,17 @@ function choice = choose_model (scene)
     until (! held)
   endfor
 
-  choice = struct ("trial", trial, "reference", reference, "error", distance (trial, reference), "reason", why, "warnings", {{}});
-  choice.tried = cellfun (@(t) struct ("rung", t.rung, "name", rung_name (t.rung), "error_m", distance (t, reference), ...
-                                       "seconds", t.seconds, "calls", t.calls), tried);
+  choice = struct ("trial", trial, "reference", reference, "error", distance (trial, reference), "reason", why, ...
+                   "warnings", {{}});
+  entry = @(t) struct ("rung", t.rung, "name", rung_name (t.rung), "error_m", distance (t, reference), ...
+                       "seconds", t.seconds, "calls", t.calls);
+  choice.tried = cellfun (entry, tried);
   if (! isempty (reference.error))
     error ("toolchain:integration", "%s\n", reference.error);
   elseif (! verified)
-    choice.warnings = {sprintf(["the largest model, %s, is not shown to be within the tolerance of %.2g m (estimate %.2g m):" ...
-                                " take a larger tolerance, or smoother loads"], rung_name (reference.rung), ...
-                               scene.solver.tolerance, choice.error)};
+    choice.warnings = {sprintf(["the largest model, %s, is not shown to be within the tolerance of %.2g m" ...
+                                " (estimate %.2g m): take a larger tolerance, or smoother loads"], ...
+                               rung_name (reference.rung), scene.solver.tolerance, choice.error)};
   endif
 endfunction
 

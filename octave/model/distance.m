@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{metres} =} distance (@var{a}, @var{b})
-## The largest distance (m) of two centrelines' points in all frames: @var{a} and @var{b} have the fields x and y of one
-## size.  It is Inf where one of them is not finite.
+## The largest distance (m) of two centrelines' points in all frames: @var{a} and @var{b} have the fields x and y of
+## one size.  It is Inf where one of them is not finite.
 ## @end deftypefn
 
 function metres = distance (a, b)

@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{longitudinal}, @var{transversal}] =} functions_at (@var{base}, @var{stations}, @var{derivative})
+## @deftypefn {} {[@var{longitudinal}, @var{transversal}] =} functions_at (@var{base}, @var{stations}, @
+##   @var{derivative})
 ## Values of all base functions, p-by-n each, at the @var{stations} (p numbers, m), so that v1 = longitudinal*V and
-## v2 = transversal*V, or their first derivatives (1/m) with @var{derivative} = 1.  Of a curved rod's @var{base} they are the
-## displacements along the frame's axes, or stretching and turning of the centreline.
+## v2 = transversal*V, or their first derivatives (1/m) with @var{derivative} = 1.  Of a curved rod's @var{base} they
+## are the displacements along the frame's axes, or stretching and turning of the centreline.
 ## @end deftypefn
 
 function [longitudinal, transversal] = functions_at (base, stations, derivative = 0)

@@ -2,8 +2,8 @@
 ## @deftypefn {} {[@var{response}, @var{phi_dot}] =} linear_response (@var{scene}, @var{model}, @var{rigid})
 ## How the eigenmodes of a @var{model} answer the loads along the motion of the @var{rigid} model, each by itself.
 ##
-## @var{response}: omega (n-by-1, rad/s), and, as the largest displacements of centreline points that they cause (n-by-1,
-## m), largest, and beyond_static, of what is left after the static deflection by the load of the moment.
+## @var{response}: omega (n-by-1, rad/s), and, as the largest displacements of centreline points that they cause
+## (n-by-1, m), largest, and beyond_static, of what is left after the static deflection by the load of the moment.
 ## @var{phi_dot} (rad/s) is the rigid rod's, at the times looked at.
 ## @end deftypefn
 
@@ -44,7 +44,8 @@ endfunction
 
 ## 400 equal steps from break to break, and the same times just inside of the breaks
 function [times, inside] = fine_times (scene)
-  ends = unique ([0, scene.moment_breaks(scene.moment_breaks < scene.duration & scene.moment_breaks > 0), scene.duration]);
+  breaks = scene.moment_breaks(scene.moment_breaks < scene.duration & scene.moment_breaks > 0);
+  ends = unique ([0, breaks, scene.duration]);
   times = inside = [];
   for k = 1:numel (ends) - 1
     times = [times, linspace(ends(k), ends(k+1), 401)];

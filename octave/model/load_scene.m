@@ -49,7 +49,8 @@ endfunction
 %!test # a file of one's own, in a folder with a space
 %! folder = tempname (); mkdir (folder); own = fullfile (folder, "own scene"); mkdir (own);
 %! unwind_protect
-%!   fid = fopen (fullfile (own, "my_rod.m"), "w"); fputs (fid, "function s = my_rod ()\n s.duration = 4;\nend\n"); fclose (fid);
+%!   fid = fopen (fullfile (own, "my_rod.m"), "w");
+%!   fputs (fid, "function s = my_rod ()\n s.duration = 4;\nend\n"); fclose (fid);
 %!   [scene, name] = load_scene (fullfile (own, "my_rod.m"));
 %!   assert (scene.duration, 4); assert (name, "my_rod");
 %! unwind_protect_cleanup

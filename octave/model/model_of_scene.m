@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{model}, @var{choice}] =} model_of_scene (@var{scene})
-## The model of a checked scene: the paper's sines where model.modes gives their numbers, and otherwise the smallest that
-## serves it.  @var{choice} comes from @code{choose_model}, or @code{choose_curved}; where nothing was chosen its trial is empty.
+## The model of a checked scene: the paper's sines where model.modes gives their numbers, and otherwise the smallest
+## that serves it.  @var{choice} comes from @code{choose_model}, or @code{choose_curved}; where nothing was chosen
+## its trial is empty.
 ## @end deftypefn
 
 function [model, choice] = model_of_scene (scene)

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{rung}, @var{why}] =} predict_rung (@var{scene})
-## A guess of the smallest rung that serves a scene, and the numbers that led to it: the linear response of 30 bending and
-## 30 longitudinal eigenmodes to the loads that act along the motion of the rigid rod.
+## A guess of the smallest rung that serves a scene, and the numbers that led to it: the linear response of 30 bending
+## and 30 longitudinal eigenmodes to the loads that act along the motion of the rigid rod.
 ##
 ## A kind of modes is left out from where they add up to less than half of the tolerance.  Longitudinal ones have no
 ## inertia where they stay as near to their static values, and foreshortening comes in where it moves the rod, or the
@@ -11,7 +11,8 @@
 function [rung, why] = predict_rung (scene)
   share = scene.solver.tolerance/2;
   rigid = struct ("sines", [], "bending", 0, "longitudinal", 0, "axial", "none", "stiffening", "none");
-  model = build_model (scene, setfield (setfield (setfield (rigid, "bending", 30), "longitudinal", 30), "axial", "dynamic"));
+  elastic = setfield (setfield (setfield (rigid, "bending", 30), "longitudinal", 30), "axial", "dynamic");
+  model = build_model (scene, elastic);
   [response, phi_dot] = linear_response (scene, model, build_model (scene, rigid));
   along = 1:30;
   across = 31:rows (response.largest);
@@ -33,9 +34,9 @@ function [rung, why] = predict_rung (scene)
   if (strcmp (scene.model.stiffening, "foreshortening") || (shift > share && strcmp (scene.model.stiffening, "auto")))
     rung.stiffening = "foreshortening";
   endif
-  why = sprintf (["loads bend the rod by %.2g m and stretch it by %.2g m, phi_dot reaches %.3g rad/s where its first" ...
-                  " frequency is %.4g rad/s"], sum (response.largest(across)), sum (response.largest(along)), ...
-                 max (abs (phi_dot)), omega);
+  why = sprintf (["loads bend the rod by %.2g m and stretch it by %.2g m, phi_dot reaches %.3g rad/s where" ...
+                  " its first frequency is %.4g rad/s"], sum (response.largest(across)), ...
+                 sum (response.largest(along)), max (abs (phi_dot)), omega);
 endfunction
 
 ## how many of the modes before those whose largest values add up to less than the share

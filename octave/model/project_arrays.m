@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{reduced} =} project_arrays (@var{arrays}, @var{basis})
-## The @var{arrays} of a rod (names that end with _matrix: n-by-n; with _vector, _1 or _2: n-by-1; scalars) for V = @var{basis}*q, with r columns: r-by-r and
-## r-by-1.
+## The @var{arrays} of a rod (names that end with _matrix: n-by-n; with _vector, _1 or _2: n-by-1; scalars) for
+## V = @var{basis}*q, with r columns: r-by-r and r-by-1.
 ## @end deftypefn
 
 function reduced = project_arrays (arrays, basis)

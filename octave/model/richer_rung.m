@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{rung} =} richer_rung (@var{rung}, @var{scene})
-## A rung that has more of everything that the @var{scene} does not fix: twice as many modes and two more, up to 30 of a
-## kind; the next treatment of the longitudinal modes; foreshortening.
+## A rung that has more of everything that the @var{scene} does not fix: twice as many modes and two more, up to 30 of
+## a kind; the next treatment of the longitudinal modes; foreshortening.
 ## @end deftypefn
 
 function rung = richer_rung (rung, scene)

@@ -22,8 +22,8 @@ function basis = rung_basis (rung, arrays, N1, clamped)
   endif
   P = [eye(numel (i2)); phi_of_V.'];
   mass = P.'*[arrays.mass_matrix(i2,i2), coupling; coupling.', arrays.moment_of_inertia]*P;
-  basis = blkdiag (lowest_modes (arrays.mass_matrix(i1,i1), arrays.stiffness_matrix(i1,i1), dynamic*rung.longitudinal), ...
-                   lowest_modes (mass, arrays.stiffness_matrix(i2,i2), rung.bending));
+  along = lowest_modes (arrays.mass_matrix(i1,i1), arrays.stiffness_matrix(i1,i1), dynamic*rung.longitudinal);
+  basis = blkdiag (along, lowest_modes (mass, arrays.stiffness_matrix(i2,i2), rung.bending));
 endfunction
 
 function modes = lowest_modes (mass, stiffness, n)
@@ -41,7 +41,8 @@ endfunction
 %!  arrays.slope_2 = functions_across (base);
 %!  B = rung_basis (rung, arrays, 0, true);
 %!  a = project_arrays (arrays, B);
-%!  mass = a.mass_matrix - a.coupling_vector*a.slope_2.' - a.slope_2*a.coupling_vector.' + a.moment_of_inertia*a.slope_2*a.slope_2.';
+%!  mass = a.mass_matrix - a.coupling_vector*a.slope_2.' - a.slope_2*a.coupling_vector.' ...
+%!         + a.moment_of_inertia*a.slope_2*a.slope_2.';
 %!  omega = sqrt (sort (eig (a.stiffness_matrix, mass)))/sqrt (7/3);
 %!endfunction
 %!function slopes = functions_across (base)

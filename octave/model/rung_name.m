@@ -22,6 +22,9 @@ function name = rung_name (rung)
 endfunction
 
 %!assert (rung_name (struct ("sines", [7 7], "axial", "dynamic", "stiffening", "none")), "7 + 7 sines")
-%!assert (rung_name (struct ("sines", [], "bending", 0, "longitudinal", 0, "axial", "none", "stiffening", "none")), "rigid")
-%!assert (rung_name (struct ("sines", [], "bending", 1, "longitudinal", 0, "axial", "quasistatic", "stiffening", "foreshortening")),
-%!        "1 bending mode, quasi-static longitudinal ones, foreshortening")
+%!assert (rung_name (struct ("sines", [], "bending", 0, "longitudinal", 0, "axial", "none", ...
+%!                           "stiffening", "none")), "rigid")
+%!test
+%! rung = struct ("sines", [], "bending", 1, "longitudinal", 0, ...
+%!               "axial", "quasistatic", "stiffening", "foreshortening");
+%! assert (rung_name (rung), "1 bending mode, quasi-static longitudinal ones, foreshortening");

@@ -19,7 +19,8 @@ function rung = rung_of_scene (scene)
     axial = "dynamic";
   endif
   stiffening = strrep (choice.stiffening, "auto", "none");
-  rung = struct ("sines", sines, "bending", sines(2), "longitudinal", sines(1), "axial", axial, "stiffening", stiffening);
+  rung = struct ("sines", sines, "bending", sines(2), "longitudinal", sines(1), "axial", axial, ...
+                 "stiffening", stiffening);
 endfunction
 
 %!test

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{rung} =} smaller_rung (@var{rung}, @var{part}, @var{scene})
-## The rung below one in a @var{part}: "axial" (one longitudinal mode less, or the simpler treatment), "bending" (one mode
-## less) or "stiffening" (none).  Where there is none, or the @var{scene} fixes the part, it is the same rung.
+## The rung below one in a @var{part}: "axial" (one longitudinal mode less, or the simpler treatment), "bending" (one
+## mode less) or "stiffening" (none).  Where there is none, or the @var{scene} fixes the part, it is the same rung.
 ## @end deftypefn
 
 function rung = smaller_rung (rung, part, scene)

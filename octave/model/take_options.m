@@ -8,8 +8,8 @@ function [scene, folder] = take_options (scene, folder, options)
   if (mod (numel (options), 2) != 0)
     scene_error ("driver: options come as names and values, in pairs");
   endif
-  fields = struct ("modes", {{"model", "modes"}}, "solver", {{"solver", "name"}}, "tolerance", {{"solver", "tolerance"}}, ...
-                   "size", {{"frame_size"}});
+  fields = struct ("modes", {{"model", "modes"}}, "solver", {{"solver", "name"}}, ...
+                   "tolerance", {{"solver", "tolerance"}}, "size", {{"frame_size"}});
   for pair = reshape (options, 2, [])
     [name, value] = pair{:};
     if (strcmp (name, "output") && ischar (value))
@@ -17,7 +17,8 @@ function [scene, folder] = take_options (scene, folder, options)
     elseif (ischar (name) && isfield (fields, name))
       scene = setfield (scene, fields.(name){:}, value);
     else
-      scene_error ("driver: \"%s\" is not an option: those are %s, output", disp_name (name), strjoin (fieldnames (fields).', ", "));
+      scene_error ("driver: \"%s\" is not an option: those are %s, output", disp_name (name), ...
+                   strjoin (fieldnames (fields).', ", "));
     endif
   endfor
 endfunction

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{trial} =} trial_run (@var{scene}, @var{rung})
-## Try a @var{rung} of the ladder on a checked scene: a struct of the rung, its model, the centreline at the frame times
-## (x, y: 21 stations by frames, m), calls of the rate and seconds.  An integration that fails leaves error, its message,
-## and NaN for the centreline.
+## Try a @var{rung} of the ladder on a checked scene: a struct of the rung, its model, the centreline at the frame
+## times (x, y: 21 stations by frames, m), calls of the rate and seconds.  An integration that fails leaves error, its
+## message, and NaN for the centreline.
 ## @end deftypefn
 
 function trial = trial_run (scene, rung)
@@ -31,7 +31,7 @@ function trial = trial_run (scene, rung)
 endfunction
 
 %!test # the rigid rod
-%! trial = trial_run (check_scene (setfield (paper (), "solver", "tolerance", 1e-6)), struct ("sines", [], "bending", 0, ...
-%!                    "longitudinal", 0, "axial", "none", "stiffening", "none"));
+%! rigid = struct ("sines", [], "bending", 0, "longitudinal", 0, "axial", "none", "stiffening", "none");
+%! trial = trial_run (check_scene (setfield (paper (), "solver", "tolerance", 1e-6)), rigid);
 %! assert (size (trial.x), [21 91]);
 %! assert (hypot (trial.x(end,:), trial.y(end,:)), ones (1, 91), 1e-12);

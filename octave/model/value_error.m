@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{message} =} value_error (@var{kind}, @var{value})
-## Empty if @var{value} is of the @var{kind} that a scene's field takes (see @code{scene_fields}), and otherwise what it
-## is: "-1", "a 1-by-3 double", "\"fast\"".
+## Empty if @var{value} is of the @var{kind} that a scene's field takes (see @code{scene_fields}), and otherwise what
+## it is: "-1", "a 1-by-3 double", "\"fast\"".
 ## @end deftypefn
 
 function message = value_error (kind, value)
@@ -28,8 +28,8 @@ function good = is_of_kind (kind, value)
   elseif (strncmp (kind, "vector", 6))
     good = isnumeric (value) && isreal (value) && (isvector (value) || isempty (value)) && all (isfinite (value(:)));
   elseif (! isempty (strfind (kind, "[N1 N2]")))
-    good = isnumeric (value) && isreal (value) && numel (value) == 2 && all (value(:) >= 0 & value(:) == fix (value(:)))...
-           && all (value(:) <= 1000);
+    good = isnumeric (value) && isreal (value) && numel (value) == 2 ...
+           && all (value(:) >= 0 & value(:) == fix (value(:))) && all (value(:) <= 1000);
   elseif (! isempty (strfind (kind, "[W H]")))
     good = isnumeric (value) && isreal (value) && numel (value) == 2 && all (value(:) >= 320 & value(:) <= 8192) ...
            && all (mod (value(:), 2) == 0);
@@ -50,7 +50,8 @@ function text = describe (value)
   elseif ((isnumeric (value) || islogical (value)) && isvector (value) && numel (value) <= 4)
     text = strtrim (disp (value(:).'));
   else
-    text = sprintf ("a %s %s", strjoin (arrayfun (@num2str, size (value), "uniformoutput", false), "-by-"), class (value));
+    text = sprintf ("a %s %s", strjoin (arrayfun (@num2str, size (value), "uniformoutput", false), "-by-"), ...
+                    class (value));
   endif
 endfunction
 

@@ -1,8 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{stress} =} bending_stress (@var{rod}, @var{model}, @var{stations}, @var{V})
 ## The largest bending stress of the classical rod in the sections at the @var{stations} (p-by-m, Pa) with the
-## amplitudes
-## @var{V} (N-by-m), or [] where a rigid rod or an unknown section has none.
+## amplitudes @var{V} (N-by-m), or [] where a rigid rod or an unknown section has none.
 ## @end deftypefn
 
 function stress = bending_stress (rod, model, stations, V)

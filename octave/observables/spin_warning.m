@@ -1,9 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{warnings} =} spin_warning (@var{scene}, @var{model}, @var{phi_dot})
-## A cellstr: empty, or a warning that a @var{model} without foreshortening loses its stiffness at rates of rotation
-## near
-## @var{phi_dot} (rad/s).  Without that argument it is the rate that the scene prescribes or starts with, known before
-## the run.
+## A cellstr: empty, or a warning that a @var{model} without foreshortening loses its stiffness at rates of
+## rotation near @var{phi_dot} (rad/s).  Without that argument it is the rate that the scene prescribes or starts
+## with, known before the run.
 ## @end deftypefn
 
 function warnings = spin_warning (scene, model, phi_dot)
@@ -19,8 +18,7 @@ function warnings = spin_warning (scene, model, phi_dot)
       phi_dot > 0.3*omega_1)
     warnings = {sprintf(["phi_dot reaches %.3g rad/s, the simply supported rod's first frequency is %.3g rad/s:" ...
                          " without foreshortening the rod loses its stiffness there; take" ...
-                         " model.stiffening = \"foreshortening\""], ...
-                        phi_dot, omega_1)};
+                         " model.stiffening = \"foreshortening\""], phi_dot, omega_1)};
   endif
 endfunction
 

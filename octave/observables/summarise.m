@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{summary} =} summarise (@var{name}, @var{scene}, @var{model}, @var{choice}, @var{count}, @
-## @var{history})
+##   @var{history})
 ## What a run was and how it went: the struct that summary.json holds.
 ## @end deftypefn
 

@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{summary} =} write_run (@var{folder}, @var{scene}, @var{summary}, @var{start}, @
-## @var{write_table}, @var{draw})
+##   @var{write_table}, @var{draw})
 ## All files of a run, whole or not at all, and what a person at the terminal wants to know of it: history.csv by
 ## @var{write_table} (file), and the pictures of the drawing that @var{draw} () returns (see @code{draw_pictures}).
 ## The summary comes back with the seconds of each part, those since @var{start} (a tic), and the drawing's warnings.

@@ -3,8 +3,7 @@
 ## Where things are in a frame of @var{drawing} (see @code{draw_pictures}): a struct of @code{width} and @code{height}
 ## in pixels, of the @code{unit} of all other lengths in pixels (as many as let what is laid out for 1280 by 720 fit
 ## in, or for 720 by 1280 in a frame that is higher than wide), of the margins @code{scene_right}, @code{scene_bottom}
-## and
-## @code{scene_top} of the scene, of @code{strip_width} and @code{strip_height}, and of @code{strip_left},
+## and @code{scene_top} of the scene, of @code{strip_width} and @code{strip_height}, and of @code{strip_left},
 ## @code{strip_bottom}: the distance of the first strip from the frame's right, of the last one from its bottom.  The
 ## strips stand at the scene's right, or below it in a high frame.
 ## @end deftypefn

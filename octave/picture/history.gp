@@ -26,8 +26,7 @@ do for [p=1:panels] {
   if (p == panels) { set format x "%h"; set xlabel "{/:Italic t}, s" }
   marks = p == 1 && words(breaks) > 0
   plot for [k=1:words(names)] $curves using 1:k+1 with linespoints lt k lw 1 + 2.5/k pt 7 ps 0.2 \
-      title word(names, k), \
-       NaN with lines dt 2 lw 1 lc rgb ink title (marks ? "break of loads" : "")
+      title word(names, k), NaN with lines dt 2 lw 1 lc rgb ink title (marks ? "break of loads" : "")
   unset label 1
 }
 

@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{arrow}, @var{label}] =} moment_arrow (@var{moment}, @var{centre}, @var{direction}, @
-## @var{radius})
-## The polyline (n-by-2, m) of an arc arrow around @var{centre} (1-by-2, m) in the sense of @var{moment} (N m) with its
-## middle at the angle @var{direction} (rad), and the place (1-by-2, m) of its @var{label}.
-## Without a moment the arrow is a point.
+##   @var{radius})
+## The polyline (n-by-2, m) of an arc arrow around @var{centre} (1-by-2, m) in the sense of @var{moment} (N m) with
+## its middle at the angle @var{direction} (rad), and the place (1-by-2, m) of its @var{label}.  Without a moment the
+## arrow is a point.
 ## @end deftypefn
 
 function [arrow, label] = moment_arrow (moment, centre, direction, radius)

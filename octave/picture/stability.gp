@@ -26,7 +26,7 @@ do for [kind in "svg png"] {
   set yrange [0:2]
   set key bottom right
   plot $ode45_wall using 1:2 with linespoints lw 2 pt 7 title "ode45", \
-      $ode23_wall using 1:2 with linespoints lw 2 pt 5 title "ode23", \
+       $ode23_wall using 1:2 with linespoints lw 2 pt 5 title "ode23", \
        0.9972 lc 1 dt 2 title "limit 0.997", 1.7321 lc 2 dt 2 title "limit 1.732"
   unset logscale
   set format x
@@ -62,7 +62,7 @@ do for [kind in "svg png"] {
   set offsets graph 0, graph 0, graph 0.25, graph 0
   set title "energy, h ω = 0.5"
   plot $stormer_verlet using 1:2 with points pt 7 ps 0.15 title "stormer_verlet", \
-      $implicit_midpoint using 1:2 with points pt 7 ps 0.15 title "implicit_midpoint"
+       $implicit_midpoint using 1:2 with points pt 7 ps 0.15 title "implicit_midpoint"
   unset multiplot
   unset output
   reset

@@ -9,8 +9,8 @@ function job = start_gnuplot (scratch, script, first = 1, last = 1)
   here = fileparts (mfilename ("fullpath"));
   scripts = cellfun (@(name) gnuplot_string (fullfile (here, name)), {"look.gp", script}, "UniformOutput", false);
   share = sprintf ("share_%d.gp", first);
-  write_text (fullfile (scratch, share), [gnuplot_settings(struct ("first", first, "last", last, ...
-                                                                   "here", [here filesep])), ...
+  settings = struct ("first", first, "last", last, "here", [here filesep]);
+  write_text (fullfile (scratch, share), [gnuplot_settings(settings), ...
                                           sprintf("load %s\n", "'settings.gp'", scripts{:})]);
   job = start_tool (scratch, "gnuplot", ["gnuplot " share]);
 endfunction

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} chain (@var{n})
-## A chain of @var{n} rods of 0.1 m (5, or what SCENE="chain(20)" says), hinged to each other and to the ground, let go from the
-## horizontal.
+## A chain of @var{n} rods of 0.1 m (5, or what SCENE="chain(20)" says), hinged to each other and to the ground, let
+## go from the horizontal.
 ## @end deftypefn
 
 function scene = chain (n = 5)

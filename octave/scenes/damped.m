@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} damped ()
-## The paper's rod with a material that dissipates (Kelvin and Voigt): after the jump of the moment the vibration dies out
-## within a few periods, the higher modes first, so that fewer of them are needed.
+## The paper's rod with a material that dissipates (Kelvin and Voigt): after the jump of the moment the vibration dies
+## out within a few periods, the higher modes first, so that fewer of them are needed.
 ## @end deftypefn
 
 function scene = damped ()

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} double_pendulum ()
-## Two equal elastic rods, hinged to the ground and to each other, let go from the horizontal: l = 0.5 m, rhoA = 1 kg/m,
-## EA = 1e6 N, EI = 20 N m^2, without rotary inertia.
+## Two equal elastic rods, hinged to the ground and to each other, let go from the horizontal: l = 0.5 m,
+## rhoA = 1 kg/m, EA = 1e6 N, EI = 20 N m^2, without rotary inertia.
 ## @end deftypefn
 
 function scene = double_pendulum ()

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} four_bar ()
-## A four-bar linkage with an elastic coupler: a short crank turns through, a longer rocker swings; the crank is brought to
-## two turns a second and its drive is then smooth.
+## A four-bar linkage with an elastic coupler: a short crank turns through, a longer rocker swings; the crank is
+## brought to two turns a second and its drive is then smooth.
 ## @end deftypefn
 
 function scene = four_bar ()
@@ -13,8 +13,8 @@ function scene = four_bar ()
   stiff = struct ("modes", [0 0]);
   scene.bodies = {
     struct("name", "crank", "rod", steel (crank, 0.01), "model", stiff)
-    struct("name", "coupler", "rod", steel (coupler, 0.003), "model", struct ("modes", "auto", "energy", "uniaxial"), ...
-           "initial", struct ("phi", angle))
+    struct("name", "coupler", "rod", steel (coupler, 0.003), ...
+           "model", struct ("modes", "auto", "energy", "uniaxial"), "initial", struct ("phi", angle))
     struct("name", "rocker", "rod", steel (rocker, 0.01), "model", stiff, ...
            "initial", struct ("phi", atan2 (tip(2), tip(1) - ground)))
   };

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} paper ()
 ## The paper's rod (section VIII): hinged at O, 30 degrees below the horizontal, at rest; a moment grows for 0.3 s and
-## stops at 90 N m; the rod swings up to 34 degrees, back and past the
-## lowest point.  The paper gives neither l, w nor h: see README.
+## stops at 90 N m; the rod swings up to 34 degrees, back and past the lowest point.  The paper gives neither l, w nor
+## h: see README.
 ## @end deftypefn
 
 function scene = paper ()

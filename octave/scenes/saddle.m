@@ -1,12 +1,14 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} saddle ()
-## A rod lies across a saddle, a little aside and turned: it slides off, and the surface would have to hold what bends down.
+## A rod lies across a saddle, a little aside and turned: it slides off, and the surface would have to
+## hold what bends down.
 ## @end deftypefn
 
 function scene = saddle ()
   scene.title = "A rod on a saddle";
   scene.surface = struct ("name", "saddle", "rise", 1.2, "fall", 0.6);
-  scene.rod = struct ("length", 0.7, "EA", 5e3, "EI", 0.05, "EI_normal", 0.005, "GJ", 0.005, "rhoA", 0.2, "half_height", 0.008);
+  scene.rod = struct ("length", 0.7, "EA", 5e3, "EI", 0.05, "EI_normal", 0.005, "GJ", 0.005, "rhoA", 0.2, ...
+                      "half_height", 0.008);
   scene.initial = struct ("point", [-0.3 -0.05], "angle", 0.2);
   scene.duration = 1;
   scene.view = struct ("elevation", 40, "azimuth", -60);

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} slender ()
-## A steel wire of l/2h = 500 falls from the horizontal.  Its frequencies are low and its deflection is seen without zoom:
-## a few bending modes, with the foreshortening that goes with large deflections.
+## A steel wire of l/2h = 500 falls from the horizontal.  Its frequencies are low and its deflection is seen without
+## zoom: a few bending modes, with the foreshortening that goes with large deflections.
 ## @end deftypefn
 
 function scene = slender ()

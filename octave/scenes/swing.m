@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} swing ()
-## A short, thick steel rod let go from the horizontal.  Its lowest bending frequency is 2000 times that of its swing, and
-## its own weight bends it by micrometres: the rigid rod is enough.
+## A short, thick steel rod let go from the horizontal.  Its lowest bending frequency is 2000 times that of its swing,
+## and its own weight bends it by micrometres: the rigid rod is enough.
 ## @end deftypefn
 
 function scene = swing ()

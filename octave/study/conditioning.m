@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{table} =} conditioning (@var{folder}, @var{degrees}, @var{sizes})
-## The condition number of a curved hinged rod's mass matrix, rotation included and scaled to a diagonal of ones, for arcs of
-## so many @var{degrees} with N + N base functions, N of the @var{sizes}: rows of [degrees, N, in the frame of Tisserand
-## (see @code{curved_base}), with base functions that are not turned back].  Leaves conditioning.csv in the @var{folder}
-## (default output).
+## The condition number of a curved hinged rod's mass matrix, rotation included and scaled to a diagonal of ones, for
+## arcs of so many @var{degrees} with N + N base functions, N of the @var{sizes}: rows of [degrees, N, in the frame of
+## Tisserand (see @code{curved_base}), with base functions that are not turned back].  Leaves conditioning.csv in the
+## @var{folder} (default output).
 ## @end deftypefn
 
 function table = conditioning (folder = "output", degrees = [1 30 90 180 300], sizes = [1 2 4 8 16 32])

@@ -40,8 +40,7 @@ function table = constrained_precision (scene, folder, finest = 1e-9, sizes = [1
       end_try_catch
       table = [table, row];
       printf ("  %-18s %-8.2g %8.2g m, drift %8.2g, %7.2f s, %6d calls %s\n", row.method, row.parameter, row.error, ...
-              row.drift, ...
-              row.seconds, row.calls, row.failure);
+              row.drift, row.seconds, row.calls, row.failure);
       if (! (row.seconds < 30))
         break;
       endif

@@ -2,8 +2,7 @@
 ## @deftypefn {} {@var{table} =} convergence_ladder (@var{scene}, @var{folder})
 ## The convergence of a mechanism or a curved rod in its modes: centrelines with N1 + N2 modes a rod against those with
 ## the most, at a fiftieth of the scene's tolerance.  Prints a table, and leaves models.csv, models.svg and models.png
-## in the
-## @var{folder}; @var{table} is like that of @code{model_ladder}.
+## in the @var{folder}; @var{table} is like that of @code{model_ladder}.
 ## @end deftypefn
 
 function table = convergence_ladder (scene, folder)
@@ -19,12 +18,10 @@ function table = convergence_ladder (scene, folder)
     error_m = distance (t, trials{end});
     label = sprintf ("%d+%d", sizes{k});
     table = [table, struct("model", [label " modes"], "method", t.count.method, "error_m", error_m, ...
-                           "seconds", t.count.seconds, ...
-                           "calls", t.count.calls, "label", label, "stiffening", "none", "chosen", false, ...
-                           "extrapolated", false)];
+                           "seconds", t.count.seconds, "calls", t.count.calls, "label", label, ...
+                           "stiffening", "none", "chosen", false, "extrapolated", false)];
     printf ("  %-10s %10.3g m %8.2f s, tip of the last rod at the end %.8f %.8f m\n", label, error_m, ...
-            t.count.seconds, ...
-            t.x(end,end), t.y(end,end));
+            t.count.seconds, t.x(end,end), t.y(end,end));
   endfor
   publish_run (folder, {"models.csv", "models.svg", "models.png"}, @(aside) write_ladder (table, scene, aside));
   printf ("%s/ has models.csv, models.svg, models.png\n", folder);

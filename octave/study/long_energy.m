@@ -1,9 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{found} =} long_energy (@var{method}, @var{h_omega}, @var{periods})
 ## The energy of the freely turning rod with one bending mode over so many @var{periods} of its free bending vibration,
-## by a
-## @var{method} in steps h, h*omega = @var{h_omega}: a struct of periods (1-by-1001) and error (of the energy, as a
-## part of it), slope (per period, of a fitted line), slope_deviation (its standard deviation) and amplitude (largest
+## by a @var{method} in steps h, h*omega = @var{h_omega}: a struct of periods (1-by-1001) and error (of the energy, as
+## a part of it), slope (per period, of a fitted line), slope_deviation (its standard deviation) and amplitude (largest
 ## deviation from the line).
 ## @end deftypefn
 

@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{factor} =} mode_growth (@var{solver}, @var{h_omega})
-## By what a step multiplies the amplitude of the highest mode of the paper's rod with 7 + 7 modes, on the nonlinear
-## equations, in equal steps h of @var{solver} (see @code{integrate}), h*omega = @var{h_omega}: the mean of 200 steps
-## after the first 100.  The mode begins at 1 micrometre.  0 where nothing is
-## left of it, NaN where the integration fails.
+## By what a step multiplies the amplitude of the highest mode of the paper's rod with 7 + 7 modes, on the
+## nonlinear equations, in equal steps h of @var{solver} (see @code{integrate}), h*omega = @var{h_omega}: the
+## mean of 200 steps after the first 100.  The mode begins at 1 micrometre.  0 where nothing is left of it, NaN
+## where the integration fails.
 ## @end deftypefn
 
 function factor = mode_growth (solver, h_omega)

@@ -54,8 +54,7 @@ function [table, pictures] = energies (table, pictures)
     found = long_energy (method, h_omega, periods);
     pictures.(method) = [found.periods; found.error].';
     table = add (table, method, sprintf ("slope of the energy's line over %g periods, in its deviations", periods), ...
-                 0, ...
-                 found.slope/found.slope_deviation);
+                 0, found.slope/found.slope_deviation);
     table = add (table, method, sprintf ("amplitude of the energy's error, h omega %g", h_omega), NaN, ...
                  found.amplitude);
     amplitude = @(h) long_energy (method, h, 50).amplitude;

@@ -142,8 +142,8 @@ endfunction
 
 function report (row)
   printf ("  %-18s %-7.2g tip %8.2g m, phi %8.2g rad, %8.2f s, %9d calls%s %s\n", row.method, row.parameter, ...
-          row.tip_error, ...
-          row.phi_error, row.seconds, row.calls, {"", " (extrapolated)"}{1 + row.extrapolated}, row.failure);
+          row.tip_error, row.phi_error, row.seconds, row.calls, {"", " (extrapolated)"}{1 + row.extrapolated}, ...
+          row.failure);
   fflush (stdout);
 endfunction
 

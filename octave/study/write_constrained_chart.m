@@ -8,8 +8,7 @@ function write_constrained_chart (table, cost, scene, folder)
   lines = {"method,tolerance [m] or step [s],error [m],drift [m or rad],seconds [s],calls,failure"};
   for row = table
     lines{end+1} = sprintf ("%s,%.17g,%.17g,%.17g,%.17g,%d,\"%s\"", row.method, row.parameter, row.error, ...
-                            row.drift, ...
-                            row.seconds, row.calls, row.failure);
+                            row.drift, row.seconds, row.calls, row.failure);
   endfor
   write_text (fullfile (folder, "chart.csv"), [strjoin(lines, "\n") "\n"]);
   write_text (fullfile (folder, "cost.csv"), ["rods,seconds per simulated second,steps\n", ...
@@ -32,8 +31,7 @@ endfunction
 %! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
 %! unwind_protect
 %!   row = struct ("method", "radau", "parameter", {1e-3 1e-4}, "error", {1e-3 1e-5}, "drift", {0 1e-15}, ...
-%!                 "seconds", {1 2}, ...
-%!                 "calls", {10 20}, "failure", "");
+%!                 "seconds", {1 2}, "calls", {10 20}, "failure", "");
 %!   write_constrained_chart (row, [1 0.1 10; 2 0.3 20], struct ("title", "arm"), folder);
 %!   assert (sort ({dir(folder).name}), {".", "..", "chart.csv", "chart.png", "chart.svg", "cost.csv"});
 %! unwind_protect_cleanup

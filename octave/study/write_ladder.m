@@ -7,8 +7,7 @@ function write_ladder (table, scene, folder)
   lines = {"model,method,error [m],seconds [s],calls,chosen,extrapolated"};
   for row = table
     lines{end+1} = sprintf ("\"%s\",%s,%.17g,%.17g,%d,%d,%d", row.model, row.method, row.error_m, row.seconds, ...
-                            row.calls, ...
-                            row.chosen, row.extrapolated);
+                            row.calls, row.chosen, row.extrapolated);
   endfor
   write_text (fullfile (folder, "models.csv"), [strjoin(lines, "\n") "\n"]);
 
@@ -44,8 +43,8 @@ endfunction
 %! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
 %! unwind_protect
 %!   row = struct ("model", "3 bending modes, foreshortening", "method", "exponential", "error_m", 1e-3, ...
-%!                 "seconds", 2, ...
-%!                 "calls", 7, "label", "3", "stiffening", "foreshortening", "chosen", true, "extrapolated", false);
+%!                 "seconds", 2, "calls", 7, "label", "3", "stiffening", "foreshortening", ...
+%!                 "chosen", true, "extrapolated", false);
 %!   write_ladder (row, struct ("title", "rod", "solver", struct ("tolerance", 1e-2)), folder);
 %!   assert (sort ({dir(folder).name}), {".", "..", "models.csv", "models.png", "models.svg"});
 %!   assert (! isempty (strfind (fileread (fullfile (folder, "models.csv")), ...

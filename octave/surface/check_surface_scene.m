@@ -35,7 +35,7 @@ function scene = check_surface_scene (given)
     scene.solver.tolerance = scene.rod.length/min (scene.frame_size)/2;
   endif
   if (ischar (scene.model.modes) && any (scene.model.sines))
-    scene_error ("model.sines are beside so many polynomials as model.modes says: give [N1 N2], [4 4] say, not \"auto\"");
+    scene_error ("model.sines are beside so many polynomials as model.modes says: give it, [4 4] say, not \"auto\"");
   endif
   scene.moment_breaks = unique (scene.moment_breaks(:).');
   scene.moment = load_function (scene.moment, "moment", 1, scene.duration);

@@ -41,8 +41,7 @@ endfunction
 %!   scene = setfield (setfield (bowl (), "duration", 0.04), "model", "modes", [6 6]);
 %!   evalc ("driver (scene, 'output', folder);");
 %!   for name = {"history.csv", "summary.json", "frames/frame_0003.png", "figure3.svg", "figure3.png", ...
-%!               "figure3.pdf", ...
-%!               "history.svg", "report.html"}
+%!               "figure3.pdf", "history.svg", "report.html"}
 %!     assert (stat (fullfile (folder, name{1})).size > 300, name{1});
 %!   endfor
 %!   lines = strsplit (fileread (fullfile (folder, "history.csv")), "\n");

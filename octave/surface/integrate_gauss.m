@@ -25,6 +25,7 @@ function [states, count] = integrate_gauss (system, times, tolerance, balance = 
     do
       m = 2*pieces;
       if (m > 2^13)
+        remedy = sprintf ("a larger tolerance than %.2g m", solver.tolerance);
         stop_integration ("gauss", system, interval(1), times(end), diff (interval)/m, ...
                           "its steps shrank to nothing", ...
                           sprintf ("a larger tolerance than %.2g m a frame", tolerance));

@@ -30,10 +30,9 @@ endfunction
 %!endfunction
 
 %!test # a rod that rests in a hollow: the reaction, and what its ends are held with, carry its weight
-%! scene = struct ("surface", struct ("name", "bumps", "height", 0.1, "wave_number_1", 1, "wave_number_2", 1.5), ...
-%!                 "duration", 1, ...
-%!                 "rod", struct ("length", 1, "EA", 1e3, "EI", 0.5, "EI_normal", 2, "GJ", 1, "rhoA", 1.5), ...
-%!                 "model", struct ("modes", [16 16]));
+%! surface = struct ("name", "bumps", "height", 0.1, "wave_number_1", 1, "wave_number_2", 1.5);
+%! rod = struct ("length", 1, "EA", 1e3, "EI", 0.5, "EI_normal", 2, "GJ", 1, "rhoA", 1.5);
+%! scene = struct ("surface", surface, "duration", 1, "rod", rod, "model", struct ("modes", [16 16]));
 %! scene.initial.shape = @(xi) [0.8*(xi - 0.5); 0.6*(xi - 0.5)];
 %! system = surface_rod (check_surface_scene (scene));
 %! z = surface_equilibrium (system);
@@ -43,7 +42,7 @@ endfunction
 %! fit = legendre_functions (30, system.points, 1);
 %! [ends, slopes] = legendre_functions (30, [0; 1], 1);
 %! at = @(base, value) base*(fit \ value);
-%! held = at (ends, parts{2} - at (legendre_slopes (30, system.points), parts{3})).*at (ends, n_3) + ...
-%!     at (ends, parts{3}).*at (slopes, n_3);
+%! held = at (ends, parts{2} - at (legendre_slopes (30, system.points), parts{3})).*at (ends, n_3) ...
+%!        + at (ends, parts{3}).*at (slopes, n_3);
 %! r = normal_reaction (system, z, 0*z);
 %! assert (system.weights.'*(r.*n_3) + held(2) - held(1), 1.5*9.81, 1e-4);

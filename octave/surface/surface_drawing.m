@@ -16,8 +16,7 @@ function drawing = surface_drawing (system, scene, history)
                 "z", history.z + lift*history.n_3);
   patch = surface_patch (system, scene, history);
   drawing.surface = struct ("held", ! strcmp (scene.ends, "free"), "patch", patch, "rod", rod, ...
-                            "room", 3*scene.rod.half_height, ...
-                            "elevation", scene.view.elevation, ...
+                            "room", 3*scene.rod.half_height, "elevation", scene.view.elevation, ...
                             "azimuth", scene.view.azimuth + scene.view.turning*history.t);
 
   [x, y] = seen (rod, scene.view);
@@ -44,8 +43,8 @@ endfunction
 ## in the camera's plane, z upwards
 function [x, y] = seen (points, view)
   x = points.y*cosd (view.azimuth) - points.x*sind (view.azimuth);
-  y = points.z*cosd (view.elevation) - (points.x*cosd (view.azimuth) + ...
-                                        points.y*sind (view.azimuth))*sind (view.elevation);
+  y = points.z*cosd (view.elevation) ...
+      - (points.x*cosd (view.azimuth) + points.y*sind (view.azimuth))*sind (view.elevation);
 endfunction
 
 ## each fifth column, x and y

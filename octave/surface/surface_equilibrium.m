@@ -24,8 +24,8 @@ endfunction
 
 %!test # a hanging elastic line: stretched by its own weight as the strain (g - 1)/2 says
 %! scene = struct ("surface", struct ("name", "plane", "inclination", pi/2), "duration", 1, ...
-%!                 "ends", {{"hinge", "free"}}, ...
-%!                 "rod", struct ("length", 1, "EA", 1e4, "EI", 1, "rhoA", 1), "model", struct ("modes", [3 6]));
+%!                 "ends", {{"hinge", "free"}}, "rod", struct ("length", 1, "EA", 1e4, "EI", 1, "rhoA", 1), ...
+%!                 "model", struct ("modes", [3 6]));
 %! scene.initial.angle = -pi/2;
 %! system = surface_rod (check_surface_scene (scene));
 %! z = surface_equilibrium (system);

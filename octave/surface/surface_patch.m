@@ -1,8 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{patch} =} surface_patch (@var{system}, @var{scene}, @var{history})
 ## What is drawn of the surface: a grid of the chart around all that the rod reaches, as a struct of the 36-by-36
-## matrices
-## @code{x}, @code{y}, @code{z} (m) and @code{shade} (0 to 1).
+## matrices @code{x}, @code{y}, @code{z} (m) and @code{shade} (0 to 1).
 ## @end deftypefn
 
 function patch = surface_patch (system, scene, history)

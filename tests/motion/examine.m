@@ -18,8 +18,10 @@ verify ("energy balance within 1e-6 of the largest energy over 1.8 s", relative 
 verify ("a row for each of the 91 frame times", rows (table) == 91 && table(end,1) == 1.8, rows (table));
 verify ("as many frames as rows", numel (glob (fullfile (folder, "frames", "frame_*.png"))) == 91, 0);
 after = column (1) >= 0.3;
-verify ("the moment does no work after 0.3 s", max (abs (diff (W(after)))) < 1e-6*max (W), max (abs (diff (W(after)))));
+work = max (abs (diff (W(after))));
+verify ("the moment does no work after 0.3 s", work < 1e-6*max (W), work);
 [tip_x, tip_y] = deal (column (5), column (6));
 stretch = max (abs (hypot (tip_x, tip_y) - 1));
 verify ("the tip stays at the rod's length within 1e-3 m", stretch < 1e-3, stretch);
-verify ("the rod bends by 0.1 to 1 mm", max (abs (column (14))) > 1e-4 && max (abs (column (14))) < 1e-3, max (abs (column (14))));
+bent = max (abs (column (14)));
+verify ("the rod bends by 0.1 to 1 mm", bent > 1e-4 && bent < 1e-3, bent);

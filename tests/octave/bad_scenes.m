@@ -22,7 +22,8 @@ endfunction
 %! units = {"rod.length", "m"; "rod.width", "m"; "rod.half_height", "m"; "rod.mu", "Pa"; "rod.density", "kg/m^3"; ...
 %!          "rod.EA", "N"; "rod.EI", "N m^2"; "rod.rhoA", "kg/m"; "duration", "s"; "frames_per_second", "1/s"};
 %! for field = units.'
-%!   for bad = {0, "0"; -1, "-1"; NaN, "NaN"; Inf, "Inf"; 2i, "0 + 2i"; [1 2], "1   2"; "one", "\"one\""; {}, "a 0-by-0 cell"}.'
+%!   for bad = {0, "0"; -1, "-1"; NaN, "NaN"; Inf, "Inf"; 2i, "0 + 2i"; [1 2], "1   2"; "one", "\"one\""; ...
+%!              {}, "a 0-by-0 cell"}.'
 %!     check (field{1}, bad{1}, sprintf ("is %s: it takes positive number in %s", bad{2}, field{2}));
 %!   endfor
 %! endfor
@@ -36,8 +37,10 @@ endfunction
 %! check ("zoom", -2, "is -2: it takes nonnegative number");
 
 %!test # a size in pixels
-%! for bad = {[1280 721], "1280    721"; [1280 -720], "1280   -720"; 720, "720"; [10 10], "10   10"; "wide", "\"wide\""}.'
-%!   check ("frame_size", bad{1}, sprintf ("is %s: it takes two even numbers of pixels from 320 to 8192 [W H]", bad{2}));
+%! for bad = {[1280 721], "1280    721"; [1280 -720], "1280   -720"; 720, "720"; [10 10], "10   10"; ...
+%!            "wide", "\"wide\""}.'
+%!   check ("frame_size", bad{1}, ...
+%!          sprintf ("is %s: it takes two even numbers of pixels from 320 to 8192 [W H]", bad{2}));
 %! endfor
 
 %!test # any number
@@ -62,7 +65,8 @@ endfunction
 %! check ("moment", NaN, "is NaN: it takes number or function of t in N m");
 %! check ("rotation", 3, "is 3: it takes function of t that returns [theta theta_dot theta_ddot]");
 %! check ("force", [1 2], "is 1   2: it takes function of t that returns [F_x F_y] in N");
-%! check ("rotation", @(t) [1 2], "gives [1 2] at t = 0: it takes 3 numbers, theta, theta_dot and theta_ddot in rad, rad/s and rad/s^2");
+%! check ("rotation", @(t) [1 2], ...
+%!        "gives [1 2] at t = 0: it takes 3 numbers, theta, theta_dot and theta_ddot in rad, rad/s and rad/s^2");
 %! check ("force", @(t) [NaN 0], "gives [NaN 0] at t = 0: it takes 2 numbers, F_x and F_y in N");
 
 %!test # choices and texts
@@ -74,7 +78,10 @@ endfunction
 %! check ("model.stiffening", "yes", "is \"yes\": it takes \"auto\", \"foreshortening\" or \"none\"");
 %! check ("model.moment_work", "both", "is \"both\": it takes \"tangent\" or \"chord\"");
 %! check ("model.rotary_inertia", 2, "is 2: it takes true or false");
-%! check ("solver.name", "magic", "is \"magic\": it takes \"auto\", \"waveform\", \"exponential\", \"ode45\", \"ode23\", \"ode23s\", \"ode15s\", \"lsode_adams\", \"lsode_bdf\", \"rk4\", \"stormer_verlet\", \"implicit_midpoint\", \"generalized_alpha\" or \"trigonometric\"");
+%! check ("solver.name", "magic", ...
+%!        ["is \"magic\": it takes \"auto\", \"waveform\", \"exponential\", \"ode45\", \"ode23\", \"ode23s\"," ...
+%!         " \"ode15s\", \"lsode_adams\", \"lsode_bdf\", \"rk4\", \"stormer_verlet\", \"implicit_midpoint\"," ...
+%!         " \"generalized_alpha\" or \"trigonometric\""]);
 %! check ("solver.step", 0, "is 0: it takes positive number in s");
 %! check ("solver.rho_infinity", 2, "is 2: it takes number from 0 to 1");
 %! check ("solver.tolerance", 0, "is 0: it takes \"pixel\" or positive number in m");

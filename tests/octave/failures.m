@@ -6,11 +6,11 @@
 %!  driver (scene, "output", "");
 %!endfunction
 
-%!error <stormer_verlet stopped at t = .* s of 1.8 s: (then its state is no number|its Newton .*): a step of .* times the highest frequency, .* is 2.05 where the method is stable below 2; try steps below>
+%!error <stormer_verlet stopped at .* s of 1.8 s: (then .* no number|its Newton .*): .* is 2.05 .* below 2; try steps>
 %! run ("stormer_verlet", 2.05/2.0447e5, [7 7]);   # an explicit code inside its own rule: a tip at 1274 m
-%!error <rk4 stopped at t = .* s of 1.8 s: then its state is no number: .* is 4.* where the method is stable below 2.828>
+%!error <rk4 stopped at t = .* s of 1.8 s: then its state is no number: .* is 4.* where .* stable below 2.828>
 %! run ("rk4", 2e-5, [7 7]);
-%!error <generalized_alpha stopped at t = 0.3 s of 1.8 s: its Newton iteration did not converge: a step of 0.01 s .*; try a shorter step>
+%!error <generalized_alpha stopped at t = 0.3 s of 1.8 s: its Newton .* did not .* 0.01 s .*; try a shorter step>
 %! run ("generalized_alpha", 1e-2, [7 7], "rho_infinity", 1);
 %!error <lsode_bdf stopped at t = .*: the energy balance is off by .* of the largest energy, more than 0.05>
 %! run ("lsode_bdf", [], [1 3], "tolerance", 0.1);
@@ -22,13 +22,14 @@
 %! scene = check_scene (setfield (setfield (paper (), "model", "modes", [0 2]), "moment_breaks", 0.29997));
 %! scene.moment = @(t) 300*t.*(t < 0.29997);
 %! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
-%! at = @(name, h) integrate (system, [0 0.4], struct ("name", name, "tolerance", 1e-9, "step", h, "rho_infinity", 1))(1:3,2);
+%! solver = @(name, h) struct ("name", name, "tolerance", 1e-9, "step", h, "rho_infinity", 1);
+%! at = @(name, h) integrate (system, [0 0.4], solver (name, h))(1:3,2);
 %! reference = at ("waveform", []);
 %! for name = {"implicit_midpoint", "stormer_verlet", "generalized_alpha"}
 %!   assert (at (name{1}, 1e-4), reference, 1e-4);
 %! endfor
 
-%!test # the trapezoidal rule at 1e-3 s, which put the tip of a rod of 1 m 3 m away: here it stays, and so does its energy
+%!test # the trapezoidal rule at 1e-3 s, which put the tip of a rod of 1 m 3 m away: here it and its energy stay
 %! scene = setfield (setfield (paper (), "model", "modes", [7 7]), "solver", ...
 %!                   struct ("name", "generalized_alpha", "tolerance", 1e-6, "step", 1e-3, "rho_infinity", 1));
 %! history = driver (scene, "output", "").history;
@@ -42,10 +43,12 @@
 %!test # a failure reaches summary.json, and leaves the rest of the last good run
 %! folder = tempname (); confirm_recursive_rmdir (false, "local");
 %! unwind_protect
-%!   scene = setfield (setfield (paper (), "model", "modes", [0 1]), "solver", struct ("name", "rk4", "tolerance", 1e-6, "step", 0.02));
+%!   solver = struct ("name", "rk4", "tolerance", 1e-6, "step", 0.02);
+%!   scene = setfield (setfield (paper (), "model", "modes", [0 1]), "solver", solver);
 %!   try, driver (scene, "output", folder); catch, end_try_catch
 %!   summary = jsondecode (fileread (fullfile (folder, "summary.json")));
-%!   assert (! isempty (regexp (summary.last_failure.message, "^rk4 stopped at t = .* stable below 2.828; try steps below")));
+%!   message = summary.last_failure.message;
+%!   assert (! isempty (regexp (message, "^rk4 stopped at t = .* stable below 2.828; try steps below")));
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");
 %! end_unwind_protect

@@ -66,12 +66,13 @@ endfunction
 %!  system (sprintf ("ffmpeg -nostdin -loglevel error -i '%s/animation.mp4' '%s/%%04d.png'", folder, film));
 %!  names = sort (glob (fullfile (film, "*.png")));
 %!  assert (numel (names), rows (csvread (fullfile (folder, "history.csv"), 1, 0)));
-%!  frames = cellfun (@(k) imread (fullfile (folder, "frames", sprintf ("frame_%04d.png", k))), {1, 26}, "UniformOutput", false);
+%!  frame = @(k) imread (fullfile (folder, "frames", sprintf ("frame_%04d.png", k)));
+%!  frames = cellfun (frame, {1, 26}, "UniformOutput", false);
 %!  films = cellfun (@imread, names([1 end]), "UniformOutput", false);
 %!  other = difference (frames{:});
 %!  for k = 1:2
 %!    assert (difference (frames{k}, films{k}) < 0.3*other);
 %!  endfor
 %!endfunction
-%!testif ; system ("command -v ffmpeg >/dev/null") == 0 # the film has a frame a row, and its ends are those of the frames
+%!testif ; system ("command -v ffmpeg >/dev/null") == 0 # the film has a frame a row, and its ends are the frames'
 %! use_run (@check_film);

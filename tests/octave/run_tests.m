@@ -6,7 +6,8 @@ addpath (fullfile (root, "tests", "octave"), fullfile (root, "tests", "physics")
 failed = 0;
 for file = strsplit (strtrim (listing), "\n")
   text = fileread (file{1});
-  if (isempty (regexp (text, "^%!", "once", "lineanchors")) && isempty (regexp (text, "^function", "once", "lineanchors")))
+  if (isempty (regexp (text, "^%!", "once", "lineanchors")) ...
+      && isempty (regexp (text, "^function", "once", "lineanchors")))
     continue;  # a script
   endif
   log = tempname ();

@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{off} =} chain_frequencies (@var{n})
-## Small oscillations of a hanging chain of @var{n} rigid rods: in each mode of its linearisation (uniform rods: M_jk and K_jk of
-## the angles in closed form) the mechanism returns after a period; the largest difference, as a part of the amplitude.
+## Small oscillations of a hanging chain of @var{n} rigid rods: in each mode of its linearisation (uniform rods:
+## M_jk and K_jk of the angles in closed form) the mechanism returns after a period; the largest difference, as a
+## part of the amplitude.
 ## @end deftypefn
 
 function off = chain_frequencies (n)

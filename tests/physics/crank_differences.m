@@ -1,10 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{rows} =} crank_differences (@var{tolerance})
 ## @deftypefnx {} {@var{printed} =} crank_differences ("printed")
-## How far each difference between the model of the slider-crank "crank" of the Test Set for IVP Solvers and ours moves what
-## is printed there for t = 0.1 s: the table of @code{simeon_crank}'s changes, one after the other, and what they come to.
-## @var{rows} (6-by-changes) are the movements of phi (rad), x, q1, q2, q3, q4 (m), computed to a @var{tolerance} (m); the
-## printed values (6-by-1) alone are the second form's.
+## How far each difference between the model of the slider-crank "crank" of the Test Set for IVP Solvers and ours moves
+## what is printed there for t = 0.1 s: the table of @code{simeon_crank}'s changes, one after the other, and what they
+## come to.  @var{rows} (6-by-changes) are the movements of phi (rad), x, q1, q2, q3, q4 (m), computed to a
+## @var{tolerance} (m); the printed values (6-by-1) alone are the second form's.
 ## @end deftypefn
 
 function rows = crank_differences (tolerance = 1e-9)

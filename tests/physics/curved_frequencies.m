@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{frequencies} =} curved_frequencies (@var{degrees}, @var{slenderness}, @var{ends}, @var{N})
-## omega R^2 sqrt (rhoA/EI) of a circular arc of so many @var{degrees}, R/r = @var{slenderness} (r: the section's radius of
-## inertia), with N + N base functions; the @var{ends} are "ring" (closed and free), "hinged" (both) or "free".
+## omega R^2 sqrt (rhoA/EI) of a circular arc of so many @var{degrees}, R/r = @var{slenderness} (r: the
+## section's radius of inertia), with N + N base functions; the @var{ends} are "ring" (closed and free),
+## "hinged" (both) or "free".
 ##
 ## The arc is free to turn and shift here: rigid motions are added to the base, the ends' constraints take them away.
 ## @end deftypefn
@@ -50,7 +51,8 @@ endfunction
 %! assert (curved_frequencies (180, 100, "hinged", 20)(1), 2.2661, -1e-4);
 %!test # no locking: few base functions are as good for any slenderness
 %! for slenderness = [20 100 1000]
-%!   assert (curved_frequencies (90, slenderness, "hinged", 6)(1), curved_frequencies (90, slenderness, "hinged", 20)(1), -1e-3);
+%!   few = curved_frequencies (90, slenderness, "hinged", 6)(1);
+%!   assert (few, curved_frequencies (90, slenderness, "hinged", 20)(1), -1e-3);
 %! endfor
 %!test # curvature to 0: the straight rod's frequency, and the difference falls as the square of the angle
 %! beta = 4.730041;  # free and free

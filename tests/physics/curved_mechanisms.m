@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{tip}, @var{alone}] =} curved_mechanisms (@var{count}, @var{level}, @var{tolerance}, @var{half_height})
+## @deftypefn {} {[@var{tip}, @var{alone}] =} curved_mechanisms (@var{count}, @var{level}, @var{tolerance}, @
+##   @var{half_height})
 ## The semicircle of the scene arc_pendulum as so many equal arcs, bodies of a mechanism on a @var{level} of modes (see
-## @code{mechanism_rungs}), hung from one end and welded end to end: its @var{tip} (2-by-m, m) over 0.5 s, and that of the
-## hinged rod @var{alone} with many base functions.  @var{half_height} (m) is the section's.
+## @code{mechanism_rungs}), hung from one end and welded end to end: its @var{tip} (2-by-m, m) over 0.5 s, and that of
+## the hinged rod @var{alone} with many base functions.  @var{half_height} (m) is the section's.
 ## @end deftypefn
 
 function [tip, alone] = curved_mechanisms (count, level, tolerance, half_height = 0.003)
@@ -40,7 +41,7 @@ endfunction
 %!test # one body on a revolute joint tends to the hinged rod
 %! off = [distance_of(1, 3, 1e-7), distance_of(1, 8, 1e-7)];
 %! assert (off(1) < 1e-3); assert (off(2) < off(1)/20);
-%!test # two stiff quarter circles, welded, tend to the semicircle; soft ones turn apart by the square of the deformation
+%!test # two stiff quarter circles, welded, tend to the semicircle; soft ones turn apart as the deformation squared
 %! off = [distance_of(2, 3, 1e-7, 0.024), distance_of(2, 6, 1e-7, 0.024)];
 %! assert (off(2) < 3e-6); assert (off(2) < off(1)/2);
 %! assert (distance_of (2, 6, 1e-7, 0.012) < distance_of (2, 6, 1e-7, 0.006)/10);

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{u} =} curved_statics (@var{kind})
-## Displacements of a quarter circle of R = 1 m clamped at O, EI = 2 N m^2, EA = 300 N: "tangent" and "normal" of the tip under 1 N along the
-## tangent at O and across it.
+## Displacements of a quarter circle of R = 1 m clamped at O, EI = 2 N m^2, EA = 300 N: "tangent" and "normal" of the
+## tip under 1 N along the tangent at O and across it.
 ## @end deftypefn
 
 function u = curved_statics (kind)
@@ -40,11 +40,12 @@ endfunction
 %! expected = -9.81*(integral (l) - integral (s) - (l - s).*y (s))/50;  # M/EI of the weight beyond s
 %! found = curved_functions (model.base, model.base.axis, s).bend*q;
 %! assert (found.', expected, 2e-3*max (abs (expected)));
-%!test # small oscillations of the stiff semicircle: J = 2 m R^2 about its end, the centre of mass R sqrt (1 + 4/pi^2) from it
+%!test # small oscillations of the stiff semicircle: J = 2 m R^2 about its end, centre of mass at R sqrt (1 + 4/pi^2)
 %! scene = semicircle (1e7);
 %! period = 2*pi*sqrt (2*0.25/(9.81*0.5*sqrt (1 + 4/pi^2)));
 %! scene.initial.phi = -pi/2 + 1e-3;
-%! model = build_model (scene, struct ("sines", [0 0], "bending", 0, "longitudinal", 0, "axial", "none", "stiffening", "none"));
+%! rung = struct ("sines", [0 0], "bending", 0, "longitudinal", 0, "axial", "none", "stiffening", "none");
+%! model = build_model (scene, rung);
 %! scene.duration = period;
 %! states = integrate (rod_system (scene, model), [0 period], struct ("name", "ode45", "tolerance", 1e-9));
 %! assert (states(1,2), scene.initial.phi, 1e-8);
@@ -57,10 +58,12 @@ endfunction
 %! system = rod_system (scene, model);
 %! tilt = model.base.axis.tilt;
 %! system.initial_state(rows (model.arrays.mass_matrix) + 1) = -tilt;  # its first half lies level
-%! history = measure (system, model, [0 0.2], integrate (system, [0 0.2], struct ("name", "waveform", "tolerance", 1e-7)));
+%! states = integrate (system, [0 0.2], struct ("name", "waveform", "tolerance", 1e-7));
+%! history = measure (system, model, [0 0.2], states);
 %! body = struct ("rod", setfield (E, "length", l), "model", struct ("modes", "auto", "stiffening", "none"));
 %! pair = struct ("bodies", {{body, setfield(body, "initial", struct ("phi", pi/2))}}, "duration", 0.2);
-%! pair.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), struct("kind", "weld", "bodies", [1 2], "stations", [l 0])};
+%! pair.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), ...
+%!                struct("kind", "weld", "bodies", [1 2], "stations", [l 0])};
 %! pair.frames_per_second = 5; pair.solver.tolerance = 1e-6;
 %! pair = check_mechanism (pair);
 %! welded = run_mechanism (pair, build_mechanism (pair, mechanism_rungs (pair, [6 6])));

@@ -11,13 +11,15 @@ endfunction
 %!test # every surface: power of all forces is the rate of the energies, by differences, at random states
 %! rand ("seed", 2);
 %! parameters = {"plane", {"inclination"}; "cylinder", {"radius"}; "cone", {"half_angle"}; "sphere", {"radius"}; ...
-%!               "torus", {"core_radius", "tube_radius"}; "saddle", {"rise", "fall"}; "bumps", {"height", "wave_number_1", "wave_number_2"}};
+%!               "torus", {"core_radius", "tube_radius"}; "saddle", {"rise", "fall"}; ...
+%!               "bumps", {"height", "wave_number_1", "wave_number_2"}};
 %! for entry = parameters.'
 %!   surface.name = entry{1};
 %!   for name = entry{2}
 %!     surface.(name{1}) = 0.4 + 0.3*rand ();
 %!   endfor
-%!   scene = curved_surfaces (surface, struct ("length", 0.5, "EA", 10, "EI", 1, "EI_normal", 2, "GJ", 3, "rhoA", 1), 1);
+%!   rod = struct ("length", 0.5, "EA", 10, "EI", 1, "EI_normal", 2, "GJ", 3, "rhoA", 1);
+%!   scene = curved_surfaces (surface, rod, 1);
 %!   scene.model.modes = [4 5];
 %!   scene.initial = struct ("point", [0.6 0.5], "angle", rand ());
 %!   system = surface_rod (check_surface_scene (scene));
@@ -42,7 +44,8 @@ endfunction
 %! assert (norm (results{1}(:,end) - results{1}(:,1)) > 0.05);
 
 %!test # a rod rests straight along the lowest ruling
-%! scene = curved_surfaces (struct ("name", "cylinder", "radius", 0.3), struct ("length", 1, "EA", 1e3, "EI", 1, "rhoA", 1), 1);
+%! rod = struct ("length", 1, "EA", 1e3, "EI", 1, "rhoA", 1);
+%! scene = curved_surfaces (struct ("name", "cylinder", "radius", 0.3), rod, 1);
 %! system = surface_rod (check_surface_scene (scene));
 %! z = zeros (system.n, 1);
 %! assert (system.residual (0, z, z, z), z, 1e-8);
@@ -73,7 +76,7 @@ endfunction
 %! assert (off(2) < 1e-3);
 %! assert (off(2) < off(1)/2.5);
 
-%!function result = flung (speed)   # a rod on a great circle about the axis, and the result's distance from that circle
+%!function result = flung (speed)   # a rod on a great circle about the axis, and how far it leaves that circle
 %!  R = 0.5;
 %!  rod = struct ("length", 0.4, "EA", 50, "EI", 0.1, "EI_normal", 0, "rhoA", 1);
 %!  scene = curved_surfaces (struct ("name", "sphere", "radius", R), rod, 0.2);
@@ -84,7 +87,8 @@ endfunction
 %!  [x, y, z] = surface.position (ends(1,:), ends(2,:));
 %!  axis = cross ([x(1); y(1); z(1)], [x(2); y(2); z(2)]);
 %!  axis /= norm (axis);
-%!  scene.initial.velocity = @(xi, alpha) speed (xi).*turning (alpha, 2*axis, R) + turning (alpha, (speed (0) == 1)*[1; 0.5; -1], R);
+%!  scene.initial.velocity = @(xi, alpha) speed (xi).*turning (alpha, 2*axis, R) ...
+%!                                        + turning (alpha, (speed (0) == 1)*[1; 0.5; -1], R);
 %!  result = driver (scene, "output", "");
 %!  h = result.history;
 %!  result.off = max (vec (abs (axis(1)*h.x + axis(2)*h.y + axis(3)*h.z)));
@@ -111,7 +115,8 @@ endfunction
 %! endfor
 
 %!error <the rod meets a point at the start where the surface's chart is singular>   # across the tip of a cone
-%! scene = curved_surfaces (struct ("name", "cone", "half_angle", 0.7), struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1), 1);
+%! rod = struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1);
+%! scene = curved_surfaces (struct ("name", "cone", "half_angle", 0.7), rod, 1);
 %! scene.initial.shape = @(xi) [xi - 0.4; 0.3 + 0*xi];
 %! driver (scene, "output", "");
 

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{along}, @var{lag}, @var{t}] =} kane_spin_up (@var{stiffening})
-## The spin-up manoeuvre of Kane, Ryan and Banerjee (1987) with 0.1 mm as tolerance: where the tip is along the line of the
-## hub and how far behind it (m), at the times @var{t} (s).
+## The spin-up manoeuvre of Kane, Ryan and Banerjee (1987) with 0.1 mm as tolerance: where the tip is along the line of
+## the hub and how far behind it (m), at the times @var{t} (s).
 ## @end deftypefn
 
 function [along, lag, t] = kane_spin_up (stiffening)

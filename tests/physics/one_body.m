@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{off} =} one_body (@var{modes}, @var{duration}, @var{tolerance})
-## The scene `paper' as one body on a revolute joint against the hinged rod, from which the joint was eliminated: the largest difference of phi
-## (rad) and tip (m) over all frames.
+## The scene `paper' as one body on a revolute joint against the hinged rod, from which the joint was eliminated: the
+## largest difference of phi (rad) and tip (m) over all frames.
 ## @end deftypefn
 
 function off = one_body (modes, duration, tolerance)
@@ -10,7 +10,8 @@ function off = one_body (modes, duration, tolerance)
   model = build_model (hinged, rung_of_scene (hinged));
   system = hinged_rod (hinged, model);
   times = frame_times (hinged);
-  reference = measure (system, model, times, integrate (system, times, struct ("name", "waveform", "tolerance", 1e-12)));
+  states = integrate (system, times, struct ("name", "waveform", "tolerance", 1e-12));
+  reference = measure (system, model, times, states);
 
   moment = scene.moment;
   free = struct ("duration", duration, "breaks", 0.3);

@@ -49,7 +49,8 @@ endfunction
 %!   assert ([f{1:2}], [along, across], 3e-6);
 %! endfor
 
-%!function tip = chain (n, EI, rhoA, times)   # n rigid links of a total of 1 m, angles with the horizontal, springs at the joints
+%!function tip = chain (n, EI, rhoA, times)
+%!  ## n rigid links of a total of 1 m, angles with the horizontal, springs at the joints
 %!  [h, m] = deal (1/n, rhoA/n);
 %!  [i, j] = ndgrid (1:n);
 %!  beyond = n - max (i, j);
@@ -63,7 +64,8 @@ endfunction
 %!endfunction
 %!function y_dot = link_rate (y, n, inertia, weight, spring)
 %!  difference = y(1:n) - y(1:n).';
-%!  y_dot = [y(n+1:2*n); (inertia.*cos (difference)) \ (-(inertia.*sin (difference))*y(n+1:2*n).^2 - weight.*cos (y(1:n)) - spring*y(1:n))];
+%!  torque = -(inertia.*sin (difference))*y(n+1:2*n).^2 - weight.*cos (y(1:n)) - spring*y(1:n);
+%!  y_dot = [y(n+1:2*n); (inertia.*cos (difference)) \ torque];
 %!endfunction
 
 %!test # a soft pendulum from the horizontal against chains of rigid links, extrapolated

@@ -42,7 +42,8 @@ function [scene, angles] = double_pendulum (times)
   angles = solved (@rate, zeros (4, 1), times)(1:2,:);
 endfunction
 
-## crank 0.2 m, rod 0.5 m, a block of 1 kg; it starts with 6 rad/s: one equation, from T = m(theta) theta_dot^2/2 and Z (theta)
+## crank 0.2 m, rod 0.5 m, a block of 1 kg; it starts with 6 rad/s: one equation, from
+## T = m(theta) theta_dot^2/2 and Z (theta)
 function [scene, angles] = slider_crank (times)
   [r, l, g] = deal (0.2, 0.5, 9.81);
   scene = two_rods (r, l);
@@ -55,7 +56,8 @@ function [scene, angles] = slider_crank (times)
   beta = @(theta) -asin (r/l*sin (theta));
   slope = @(theta) -r*cos (theta)/(l*cos (beta (theta)));  # d beta/d theta
   [m_1, m_2] = deal (2*r, 2*l);
-  middle = @(theta) [-r*sin(theta) - l/2*sin(beta (theta))*slope(theta), r*cos(theta) + l/2*cos(beta (theta))*slope(theta)];
+  middle = @(theta) [-r*sin(theta) - l/2*sin(beta (theta))*slope(theta), ...
+                     r*cos(theta) + l/2*cos(beta (theta))*slope(theta)];
   block = @(theta) -r*sin (theta) - l*sin (beta (theta))*slope (theta);
   mass = @(theta) m_1*r^2/3 + m_2*sum (middle (theta).^2) + m_2*l^2/12*slope (theta)^2 + block (theta)^2;
   weight = @(theta) g*(m_1*r/2*cos (theta) + m_2*middle (theta)(2));

@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{mechanism}, @var{along}] =} simeon_arrays (@var{mechanism}, @var{has})
-## The slider-crank's @var{mechanism} with the connecting rod's arrays as the Test Set for IVP Solvers has them, changed
-## where @var{has} (name) says (see @code{simeon_crank}); @var{along} (2-by-4): u (l/2) and u (l) by the amplitudes.
+## The slider-crank's @var{mechanism} with the connecting rod's arrays as the Test Set for IVP Solvers has
+## them, changed where @var{has} (name) says (see @code{simeon_crank}); @var{along} (2-by-4): u (l/2) and
+## u (l) by the amplitudes.
 ##
 ## Its rod has u = 4 s (1 - s) q3 + s (2 s - 1) q4, w = sin (pi s) q1 + sin (2 pi s) q2, s = x/l: V = (q3, q4, q1, q2).
 ## @end deftypefn
@@ -20,7 +21,8 @@ function [mechanism, along] = simeon_arrays (mechanism, has)
   B *= b*l;
   J_2 = [0.0045339259, 0.151104*l^2/3](1 + has ("J2"));
   arrays = struct ("mass_matrix", M, "centrifugal_matrix", M, "stiffness_matrix", K, "gyroscopic_matrix", rho*B.', ...
-                   "coupling_vector", rho*l*b*l*[0; 0; 1/PI; -0.5/PI], "centrifugal_vector", rho*l*b*l*[1/3; 1/6; 0; 0], ...
+                   "coupling_vector", rho*l*b*l*[0; 0; 1/PI; -0.5/PI], ...
+                   "centrifugal_vector", rho*l*b*l*[1/3; 1/6; 0; 0], ...
                    "first_moment_1", rho*b*l*[2/3; 1/6; 0; 0], "first_moment_2", rho*b*l*[0; 0; 2/PI; 0], ...
                    "shortened_moment_matrix", zeros (4), "moment_of_inertia", J_2, ...
                    "static_moment", 0.151104*l/2, "mass", 0.151104);

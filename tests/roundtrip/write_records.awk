@@ -1,4 +1,4 @@
-# Join the shapes (first file: record, shape) and the bodies (second file: one a line) to the records of the translator.
+# Join the shapes (first file: record, shape) and the bodies (second file: one a line) to records of the translator.
 
 FNR == NR {
   results[$1] = results[$1] "result: r" ++count[$1] " | " $2 " | 1 | result\n"

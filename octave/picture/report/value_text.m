@@ -1,8 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{text} =} value_text (@var{value})
 ## A field's @var{value} as a person writes it: a text as it is, a function by its expression, numbers with up to six
-## digits, true and false, "none" for what is empty, and what a cell array holds one after
-## the other.
+## digits, true and false, "none" for what is empty, and what a cell array holds one after the other.
 ## @end deftypefn
 
 function text = value_text (value)

@@ -137,8 +137,7 @@ endfunction
 %! data = regexp (html, '<script id="data" type="application/json">(.*?)</script>', "tokens"){1}{1};
 %! assert (numel (jsondecode (data).time), 5);
 %! for text = {"A &lt;rod&gt; &amp; &quot;more&quot;", "x &amp; &lt;y&gt;", "@(t) 3 * (t &lt; 1)", ...
-%!             "MODES=&#39;1 2&#39;", ...
-%!             "<mfrac>", "prefers-color-scheme: dark", "width=device-width", "aria-label"}
+%!             "MODES=&#39;1 2&#39;", "<mfrac>", "prefers-color-scheme: dark", "width=device-width", "aria-label"}
 %!   assert (! isempty (strfind (html, text{1})), text{1});
 %! endfor
 %!test # several bodies
