@@ -79,7 +79,8 @@ endfunction
 %! endfor
 %! assert (lsode_options ("relative tolerance"), before);
 %!error <lsode_bdf stopped at t = \d[.0-9]* s of 2 s: its>
-%! integrate_lsode ("bdf", struct ("mass", 1, "stiffness", 0, "state_scale", 1, "rate", @(t, y) y^2), 0:0.5:2, 1, struct ("tolerance", 1e-8));
+%! system = struct ("mass", 1, "stiffness", 0, "state_scale", 1, "rate", @(t, y) y^2);
+%! integrate_lsode ("bdf", system, 0:0.5:2, 1, struct ("tolerance", 1e-8));
 %!error <the moment is lost>
 %! system = struct ("mass", 1, "stiffness", 0, "state_scale", 1, "rate", @(t, y) error ("the moment is lost"));
 %! integrate_lsode ("adams", system, 0:2, 1, struct ("tolerance", 1e-8));

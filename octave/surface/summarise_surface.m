@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{summary} =} summarise_surface (@var{name}, @var{run}, @var{choice})
-## What a @var{run} of a rod on a surface was, how it was chosen (see @code{choose_surface}) and how it went: the struct
-## that summary.json holds.
+## What a @var{run} of a rod on a surface was, how it was chosen (see @code{choose_surface}) and how it went: the
+## struct that summary.json holds.
 ## @end deftypefn
 
 function summary = summarise_surface (name, run, choice)
@@ -32,7 +32,8 @@ function summary = summarise_surface (name, run, choice)
   summary.reaction = [min(history.reaction(:)), max(history.reaction(:))];
   last = cumsum (scene.model.modes + scene.model.sines);
   summary.largest_end_coefficient = max (abs (history.q(last,:))(:))/scene.rod.length;
-  summary.warnings = [choice.warnings, pull_warning(history, scene), strain_warning(history.largest_strain), balance_warning(summary)];
+  summary.warnings = [choice.warnings, pull_warning(history, scene), ...
+                      strain_warning(history.largest_strain), balance_warning(summary)];
 endfunction
 
 function warnings = pull_warning (history, scene)

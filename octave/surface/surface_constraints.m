@@ -22,6 +22,7 @@ function Phi = surface_constraints (ends, model, length, slope)
 endfunction
 
 %!test
-%! assert (size (surface_constraints ({"clamped", "hinge"}, struct ("modes", [3 4], "sines", [0 2]), 1, eye (2))), [5 9]);
+%! Phi = surface_constraints ({"clamped", "hinge"}, struct ("modes", [3 4], "sines", [0 2]), 1, eye (2));
+%! assert (size (Phi), [5 9]);
 %! Phi = surface_constraints ({"clamped", "free"}, struct ("modes", [3 3], "sines", [0 0]), 2, eye (2));
 %! assert (Phi, [1 -1 1 0 0 0; 0 0 0 1 -1 1; 0 0 0 0 1 -3], 1e-14);

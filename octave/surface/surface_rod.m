@@ -62,8 +62,8 @@ function base = rod_basis (scene, place, stations)
   endfor
 endfunction
 
-## alpha1, alpha2, their slopes, second derivatives, rates, second rates, slopes of the rates and of the second rates: a
-## row a station, a column a time
+## alpha1, alpha2, their slopes, second derivatives, rates, second rates, slopes of the rates and of the second rates:
+## a row a station, a column a time
 function fields = fields_at (b, z, z_dot, z_ddot)
   fields = {b.start_values{1} + b.values{1}*z, b.start_values{2} + b.values{2}*z, ...
             b.start_slopes{1} + b.slopes{1}*z, b.start_slopes{2} + b.slopes{2}*z, ...
