@@ -7,7 +7,10 @@
 ## @end deftypefn
 
 function y_dot = hinged_rod_rate (t, y, interval, n, c)
-  [V, phi, V_dot, p] = deal (y(1:n,:), y(n+1,:), y(n+2:2*n+1,:), y(2*n+2,:));
+  V = y(1:n,:);
+  phi = y(n+1,:);
+  V_dot = y(n+2:2*n+1,:);
+  p = y(2*n+2,:);
   t = min (max (t, interval(1)), interval(2));
   if (isempty (c.force))
     [V_ddot, phi_dot, torque, power, dissipated] = rod_rates (

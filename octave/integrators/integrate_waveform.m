@@ -7,8 +7,9 @@
 ## 2010).  @var{system}.rate (t, y) takes many times at once, which is what makes it fast here.
 ##
 ## Panels shrink until polynomials of degree 6 would do, to the window's share of @var{solver}.tolerance, in units of
-## system.state_scale; windows have fewer panels where the relaxation converges slowly.  Panels that shrink to nothing
-## are an error that says where.  @var{steps}: the number of panels.
+## system.state_scale; of a window that is off by more, the first panels are kept that are not.  Windows have fewer
+## panels where the relaxation converges slowly.  Panels that shrink to nothing are an error that says where.
+## @var{steps}: the number of panels.
 ## @end deftypefn
 
 function [states, steps] = integrate_waveform (system, times, y, solver)
@@ -19,7 +20,7 @@ function [states, steps] = integrate_waveform (system, times, y, solver)
   scale = solver.tolerance*[system.state_scale(1:n); 100*system.state_scale(2*n+1:end)];
   states = repmat (y, 1, numel (times));
   [t, last_time] = deal (times(1), times(end));
-  [h, most, steps, modal] = deal ((last_time - t)/100, 8, 0, []);
+  [h, most, steps, modal] = deal ((last_time - t)/100, 16, 0, []);
   while (t < last_time)
     if (isempty (modal))
       modal = modal_form (system, system.stiffness_at (t, y));
@@ -30,26 +31,28 @@ function [states, steps] = integrate_waveform (system, times, y, solver)
     if (panels == to_go)
       h = (last_time - t)/panels;
     endif
-    panel = rule;
-    [panel.free, panel.forced] = panel_response (modal, h, rule.nodes(2:end), rule.weights, extra);
+    frames = frames_inside (times, t, h, panels);
+    [panel, frames] = responses (modal, h, rule, frames, extra);
     window = solve_window (modal, t, z, h, panels, panel, scale);
-    error_ratio = window.error/max (panels*h/system.duration, 0.1);
-    accepted = window.converged && error_ratio <= 1;
-    if (accepted)
-      steps += panels;
-      inside = find (times > t & times <= t + panels*h*(1 + 1e-12));
-      states(:,inside) = states_inside (modal, window, (times(inside) - t)/h, h, rule, extra);
-      t = [t + panels*h, last_time](1 + (panels == to_go));
-      y = modal.state (window.starts(:,end));
+    ratios = window.errors./max (h/system.duration*(1:panels), 0.1);
+    kept = 0;
+    if (window.converged)
+      kept = find ([true, ratios <= 1], 1, "last") - 1;
+    endif
+    if (kept > 0)
+      steps += kept;
+      states(:,frames.index(frames.panel <= kept)) = states_inside (modal, window, frames, kept);
+      t = [t + kept*h, last_time](1 + (kept == to_go));
+      y = modal.state (window.starts(:,kept+1));
       modal = [];
     endif
     if (! window.converged)
       [most, h] = deal (ceil (panels/4), h/(1 + 3*(panels == 1)));
-    elseif (accepted)
+    elseif (kept == panels)
       most = min (most*(1 + (window.sweeps < 7)), 128);
-      h *= min (2, 0.9*max (error_ratio*most/panels, realmin)^(-1/8));
+      h *= min (2, 0.9*max (ratios(end)*most/panels, realmin)^(-1/8));
     else
-      h *= max (0.1, min (0.6, 0.8*error_ratio^(-1/8)));
+      h *= max (0.1, min (0.8, 0.9*ratios(end)^(-1/8)));
     endif
     if (! (h > 1e-12*last_time))
       stop_integration ("waveform", system, t, last_time, h, "its panels shrank to nothing", ...
@@ -58,18 +61,28 @@ function [states, steps] = integrate_waveform (system, times, y, solver)
   endwhile
 endfunction
 
-## at times counted in panels from the start of the window
-function states = states_inside (modal, window, at, h, rule, extra)
+## index in the times, number of the panel and fraction of it
+function frames = frames_inside (times, t, h, panels)
+  frames.index = find (times > t & times <= t + panels*h*(1 + 1e-12));
+  at = (times(frames.index) - t)/h;
+  frames.panel = max (ceil (at - 1e-9), 1);
+  frames.fraction = at - frames.panel + 1;
+endfunction
+
+## free and forced, at the nodes and at the frames
+function [panel, frames] = responses (modal, h, rule, frames, extra)
+  [free, forced] = panel_response (modal, h, [rule.nodes(2:end), frames.fraction], rule.weights, extra);
+  at_nodes = columns (free)*(numel (rule.nodes) - 1);
+  panel = setfield (setfield (rule, "free", free(1:at_nodes,:)), "forced", forced(:,1:at_nodes));
+  [frames.free, frames.forced] = deal (free(at_nodes+1:end,:), forced(:,at_nodes+1:end));
+endfunction
+
+function states = states_inside (modal, window, frames, kept)
   R = rows (window.starts);
-  states = zeros (R, numel (at));
-  if (isempty (at))
-    return;
-  endif
-  k = max (ceil (at - 1e-9), 1);
-  [free, forced] = panel_response (modal, h, at - k + 1, rule.weights, extra);
-  for i = 1:numel (at)
-    here = (i - 1)*R + (1:R);
-    states(:,i) = free(here,:)*window.starts(:,k(i)) + forced(:,here).'*window.remainders(:,k(i));
+  states = zeros (R, sum (frames.panel <= kept));
+  for i = 1:columns (states)
+    [here, k] = deal ((i - 1)*R + (1:R), frames.panel(i));
+    states(:,i) = frames.free(here,:)*window.starts(:,k) + frames.forced(:,here).'*window.remainders(:,k);
   endfor
   states = modal.state (states);
 endfunction

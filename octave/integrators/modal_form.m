@@ -18,20 +18,17 @@ function modal = modal_form (system, stiffness)
     damping = diag (X \ (system.mass \ (system.damping_matrix*X)));
   endif
   modal = struct ("n", n, "omega", sqrt (squares), "damping", damping, "X", X);
-  velocities = system.velocity_matrix*X;
-  modal.state = @(z) [X*z(1:n,:); velocities*z(n+1:2*n,:); z(2*n+1:end,:)];
-  [to_eta, to_eta_dot] = deal (inv (X), inv (velocities));
-  modal.form = @(y) [to_eta*y(1:n,:); to_eta_dot*y(n+1:2*n,:); y(2*n+1:end,:)];
-  modal.remainder = @(t, z) remainder (t, z, n, X, velocities, to_eta, to_eta_dot, squares, damping, system.rate);
-endfunction
-
-function r = remainder (t, z, n, X, velocities, to_eta, to_eta_dot, squares, damping, rate)
-  eta = z(1:n,:);
-  eta_dot = z(n+1:2*n,:);
-  y_dot = rate (t, [X*eta; velocities*eta_dot; z(2*n+1:end,:)]);
-  r = [to_eta*y_dot(1:n,:) - eta_dot
-       to_eta_dot*y_dot(n+1:2*n,:) + squares.*eta + damping.*eta_dot
-       y_dot(2*n+1:end,:)];
+  [position, velocity] = deal (1:n, n+1:2*n);
+  state = eye (numel (system.initial_state));
+  stiff = 0*state;
+  state(position,position) = X;
+  state(velocity,velocity) = system.velocity_matrix*X;
+  stiff(position,velocity) = eye (n);
+  stiff(velocity,[position, velocity]) = -[diag(squares), diag(damping)];
+  form = inv (state);
+  modal.state = @(z) state*z;
+  modal.form = @(y) form*y;
+  modal.remainder = @(t, z) form*system.rate (t, state*z) - stiff*z;
 endfunction
 
 %!test # of a linear system nothing is left

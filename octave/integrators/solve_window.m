@@ -8,9 +8,9 @@
 ##
 ## @var{panel} has the matrices of one panel: nodes (1-by-m, 0 to 1), free and forced at all nodes but the first (see
 ## @code{panel_response}), and defect (m-by-m), which leaves of values at the nodes (in a row) what polynomials of two
-## degrees less do not have.  @var{window}: converged, error (estimate, in units of the scale: as if the defect met
-## every mode in resonance), starts (states where the panels begin and end, R-by-(panels + 1)), remainders
-## ((R m)-by-panels), sweeps.
+## degrees less do not have.  @var{window}: converged, errors (1-by-panels, estimates at the panels' ends, in units of
+## the scale: as if the defect met every mode in resonance), starts (states where the panels begin and end,
+## R-by-(panels + 1)), remainders ((R m)-by-panels), sweeps.
 ## @end deftypefn
 
 function window = solve_window (modal, t, z, h, panels, panel, scale)
@@ -19,7 +19,7 @@ function window = solve_window (modal, t, z, h, panels, panel, scale)
   inner = reshape (panel.nodes(1:end-1).' + (0:panels-1), 1, []);
   times = t + h*[inner, panels];
   of_panel = (1:m).' + (m - 1)*(0:panels-1);
-  size_of = @(z) max (sizes (modal, z)./scale);
+  sizes_of = @(z) max (sizes (modal, z)./scale, [], 1);
 
   remainder = modal.remainder (t, z)(:,ones (1, numel (times)));
   [starts, window.converged, change, window.sweeps] = deal (Inf, false, Inf, 0);
@@ -31,12 +31,13 @@ function window = solve_window (modal, t, z, h, panels, panel, scale)
     forced = (window.remainders.'*panel.forced).';  # full times sparse: in this order it is fast
     window.starts = chained (panel.free(end-R+1:end,:), z, forced(end-R+1:end,:));
     states = [z, reshape((window.starts(:,1:end-1).'*panel.free.').' + forced, R, [])];
-    [last, change] = deal (change, size_of (window.starts - starts));
-    rate = change/last;  # of convergence
+    last = change;
+    change = max (sizes_of (window.starts - starts));
+    rate = max (change/last, 0.1);  # of convergence: the first changes shrink faster than the next ones
     window.converged = change < 1e-3 || (window.sweeps > 2 && change*rate <= 0.1*(1 - rate));
     starts = window.starts;
   until (window.converged || window.sweeps > 15 || ! (window.sweeps < 4 || change < 0.7*last))
-  window.error = size_of (defect_of (modal, remainder(:,of_panel(:)), h, panels, panel.defect));
+  window.errors = sizes_of (defects_of (modal, remainder(:,of_panel(:)), h, panels, panel.defect));
 endfunction
 
 ## each panel begins where the last one ended, by doubling
@@ -50,17 +51,17 @@ function starts = chained (free, z, forced)
   endwhile
 endfunction
 
-## m: what the coordinates are off by
-function z = defect_of (modal, remainders, h, panels, defect)
+## m: what the coordinates are off by at the panels' ends, R-by-panels
+function z = defects_of (modal, remainders, h, panels, defect)
   [R, n, m] = deal (rows (remainders), modal.n, rows (defect));
   by_nodes = reshape (permute (reshape (remainders, R, m, panels), [1 3 2]), R*panels, m)*defect;
-  z = h*sum (reshape (max (abs (by_nodes), [], 2), R, panels), 2);
-  z(1:n) += z(n+1:2*n)./max (modal.omega, 1/(h*panels));
+  z = h*cumsum (reshape (max (abs (by_nodes), [], 2), R, panels), 2);
+  z(1:n,:) += z(n+1:2*n,:)./max (modal.omega, 1/(h*panels));
 endfunction
 
 function metres = sizes (modal, z)
   n = modal.n;
-  metres = max ([abs(modal.X)*abs(z(1:n,:)); abs(z(2*n+1:end,:))], [], 2);
+  metres = [abs(modal.X)*abs(z(1:n,:)); abs(z(2*n+1:end,:))];
 endfunction
 
 %!test # x_ddot = -4 x - x^3/10 on two panels: as finely as another method has it
