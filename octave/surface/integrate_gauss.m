@@ -1,5 +1,6 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{states}, @var{count}] =} integrate_gauss (@var{system}, @var{times}, @var{tolerance}, @var{balance})
+## @deftypefn {} {[@var{states}, @var{count}] =} integrate_gauss (@var{system}, @var{times}, @var{tolerance}, @
+##   @var{balance})
 ## The states (n-by-m) of a rod on a surface (see @code{surface_rod}) at the @var{times} (1-by-m, s) by collocation at
 ## four points of Gauss: order 8, symplectic in its canonical coordinates, stable for the stiffest bending and
 ## stretching.
@@ -25,7 +26,6 @@ function [states, count] = integrate_gauss (system, times, tolerance, balance = 
     do
       m = 2*pieces;
       if (m > 2^13)
-        remedy = sprintf ("a larger tolerance than %.2g m", solver.tolerance);
         stop_integration ("gauss", system, interval(1), times(end), diff (interval)/m, ...
                           "its steps shrank to nothing", ...
                           sprintf ("a larger tolerance than %.2g m a frame", tolerance));
@@ -126,3 +126,9 @@ endfunction
 %! n = system.n;
 %! E = sum (surface_energies (system, states(1:n,:), states(n+1:2*n,:))(1:3,:));
 %! assert (E, E(1)*[1 1 1 1], 1e-9);
+%!error <gauss stopped at t = 0(.0*)? s of 0.1 s: its steps shrank to nothing.* try a larger tolerance than 1e-09 m a frame>
+%! scene = struct ("surface", struct ("name", "cylinder", "radius", 1), "duration", 0.1, ...
+%!                 "model", struct ("modes", [3 3]), "rod", struct ("length", 0.5, "EA", 50, "EI", 0.1, "rhoA", 2));
+%! system = surface_rod (check_surface_scene (scene));
+%! system.residual = @(t, z, varargin) NaN (size (z));
+%! integrate_gauss (system, [0 0.1], 1e-9);

@@ -1,5 +1,6 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{values}, @var{slopes}, @var{seconds}] =} rod_functions (@var{model}, @var{i}, @var{xi}, @var{length})
+## @deftypefn {} {[@var{values}, @var{slopes}, @var{seconds}] =} rod_functions (@var{model}, @var{i}, @var{xi}, @
+##   @var{length})
 ## The base functions of the chart's coordinate @var{i} (1 or 2) along a rod of the @var{length} (m), and their first
 ## and second derivatives, at the stations @var{xi} (p-by-1, m), p-by-n: @var{model}.modes(i) polynomials of Legendre,
 ## then @var{model}.sines(i) sines sin (k pi xi/length).
