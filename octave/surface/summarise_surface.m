@@ -18,6 +18,7 @@ function summary = summarise_surface (name, run, choice)
   summary.method = count.method;
   summary.tolerance_m = scene.solver.tolerance;
   summary.estimated_error_m = choice.error_m;
+  summary.estimated_error_pixels = choice.error_m*min (scene.frame_size)/scene.rod.length;
   summary.tried = choice.tried;
   summary.steps = count.steps;
   summary.rate_calls = count.calls;
