@@ -55,7 +55,7 @@ function reached = by_daspk (residual, times, y, y_dot, scale, algebraic)
     is_algebraic(algebraic) = 1;
     daspk_options ("algebraic variables", is_algebraic);
     daspk_options ("exclude algebraic variables from error test", 1);
-    reached = daspk (@(y, y_dot, t) residual (t, y, y_dot), y, y_dot, times);
+    reached = told_errors (@(f) daspk (f, y, y_dot, times), @(y, y_dot, t) residual (t, y, y_dot));
   unwind_protect_cleanup
     cellfun (@(name, value) daspk_options (name, value), kept, before);
   end_unwind_protect
@@ -65,7 +65,8 @@ function reached = by_ode15i (residual, times, y, y_dot, scale, algebraic)
   requested = unique ([times, mean(times)]);
   options = odeset ("RelTol", 1e-13, "AbsTol", scale);
   try
-    [~, reached] = ode15i (residual, requested, y, y_dot, options);
+    [~, reached] = told_errors (@(f) ode15i (@(t, u, u_dot) f (t, u, u_dot), requested, y, y_dot, options), ...
+                                residual);
     reached = reached(ismember (requested, times)(1:rows (reached)),:);
   catch err
     if (isempty (strfind (err.message, "IDA")))
@@ -98,4 +99,12 @@ endfunction
 %!test
 %! for name = {"ode15i", "daspk"}
 %!   assert (turned (name{1}, [0 0.3 0.8])(2:3), exact ([0.3 0.8]), 1e-6);
+%! endfor
+%!test # what a load raises is what is said
+%! for name = {"ode15i", "daspk"}
+%!   system = pendulum ();
+%!   at = system.at;
+%!   system.at = @(t, varargin) {at, @(varargin) error("the load is lost")}{1 + (t > 0.1)}(t, varargin{:});
+%!   start = struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0);
+%!   fail ("integrate_dae (name{1}, system, [0 0.5 1], start, struct ('tolerance', 1e-8))", "the load is lost");
 %! endfor

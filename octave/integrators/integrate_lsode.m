@@ -22,15 +22,7 @@ function [states, steps] = integrate_lsode (formulas, system, times, y, solver)
       sizes = {"initial step size", "minimum step size", "maximum step size"};
       cellfun (@(name) lsode_options (name, solver.step), sizes);
     endif
-    try
-      [states, state, message] = lsode (@(y, t) told_rate (system.rate, t, y), y, times, times(end));
-    catch err
-      raised = told_rate ();
-      if (isempty (raised))
-        rethrow (err);
-      endif
-      rethrow (raised);
-    end_try_catch
+    [states, state, message] = told_errors (@(f) lsode (f, y, times, times(end)), @(y, t) system.rate (t, y));
   unwind_protect_cleanup
     cellfun (@lsode_options, kept(:,1), kept(:,2));
   end_unwind_protect
@@ -47,21 +39,6 @@ function [states, steps] = integrate_lsode (formulas, system, times, y, solver)
                       sprintf ("a larger tolerance than %.2g m", solver.tolerance));
   endif
   states = states.';
-endfunction
-
-## lsode does not say what its function raised: this one, called without arguments, does
-function y_dot = told_rate (rate, t, y)
-  persistent raised = [];
-  if (nargin == 0)
-    y_dot = raised;
-    return;
-  endif
-  raised = [];
-  try
-    y_dot = rate (t, y);
-  catch raised
-    rethrow (raised);
-  end_try_catch
 endfunction
 
 function settings = lsode_settings ()

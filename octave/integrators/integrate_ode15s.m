@@ -14,7 +14,7 @@ function [states, steps] = integrate_ode15s (system, times, y, solver)
   warning_state = warning ("off", "all");
   cause = "its Newton iteration did not converge";
   try
-    [t, states] = ode15s (system.rate, requested, y, options);
+    [t, states] = told_errors (@(f) ode15s (@(t, u) f (t, u), requested, y, options), system.rate);
   catch err
     warning (warning_state);
     if (isempty (strfind (err.message, "IDA")))
