@@ -49,6 +49,23 @@ endfunction
 %!test # circular arcs, both ends hinged, R/r = 100
 %! assert (curved_frequencies (90, 100, "hinged", 20)(1), 13.755, -1e-4);
 %! assert (curved_frequencies (180, 100, "hinged", 20)(1), 2.2661, -1e-4);
+%!function omega = by_ritz (degrees, slenderness)   # displacements by polynomials, textbook strains: u' - w, u' + w''
+%!  angle = deg2rad (degrees);
+%!  [s, weights] = gauss_points (40);
+%!  [s, W] = deal (angle*s, diag (angle*weights));
+%!  [P, dP, ddP] = legendre_functions (16, s, angle);
+%!  [b, db] = deal (s.*(angle - s), angle - 2*s);  # 0 at the hinges
+%!  [f, df, ddf] = deal (b.*P, db.*P + b.*dP, -2*P + 2*db.*dP + b.*ddP);
+%!  [stretching, bending] = deal ([df, -f], [df, ddf]);
+%!  K = slenderness^2*stretching.'*W*stretching + bending.'*W*bending;
+%!  omega = sqrt (min (real (eig (K, blkdiag (f.'*W*f, f.'*W*f)))));
+%!endfunction
+%!test # thick arcs, too, as an independent method has them
+%! for slenderness = [20 100]
+%!   for degrees = [90 180]
+%!     assert (curved_frequencies (degrees, slenderness, "hinged", 20)(1), by_ritz (degrees, slenderness), -1e-3);
+%!   endfor
+%! endfor
 %!test # no locking: few base functions are as good for any slenderness
 %! for slenderness = [20 100 1000]
 %!   few = curved_frequencies (90, slenderness, "hinged", 6)(1);
