@@ -1,12 +1,12 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{trial} =} exact_rod (@var{scene}, @var{modes})
+## @deftypefn {} {@var{trial} =} exact_rod (@var{scene}, @var{modes}, @var{seconds})
 ## The top rung of the ladder of models: the geometrically exact rod, on the upright plane (see @code{surface_rod}), of
 ## a checked scene of the hinged rod, in [@var{modes} @var{modes}] polynomials.  A struct of x and y (21-by-m, m), the
 ## centreline at the frame times, and count.  Empty for a scene with what it has not: a hub, a force, a tip mass,
-## damping, an initial deformation.
+## damping, an initial deformation.  What takes more than so many @var{seconds} (default 300) is given up: an error.
 ## @end deftypefn
 
-function trial = exact_rod (scene, modes)
+function trial = exact_rod (scene, modes, seconds = 300)
   trial = [];
   initial = rmfield (scene.initial, {"phi", "phi_dot"});
   deformed = any (cellfun (@(V) any (V), struct2cell (initial)));
@@ -25,6 +25,8 @@ function trial = exact_rod (scene, modes)
   plane.solver.tolerance = scene.solver.tolerance/2;
   plane = check_surface_scene (plane);
   system = surface_rod (plane);
+  [clock, residual] = deal (tic (), system.residual);
+  system.residual = @(varargin) give_up (residual (varargin{:}), clock, seconds);
   [states, trial.count] = integrate_gauss (system, frame_times (plane), plane.solver.tolerance, 1e-6);
   none = 0*states(1:system.n,:);
   fields = system.fields (states(1:system.n,:), none, none, linspace (0, scene.rod.length, 21).');
@@ -38,3 +40,5 @@ endfunction
 %! assert (distance (exact_rod (scene, 5), trial_run (scene, rung)) < 1e-4);
 %!test # a tip mass it has not
 %! assert (exact_rod (check_scene (setfield (swing (), "tip_mass", 1)), 5), []);
+%!error <given up after 0 s>
+%! exact_rod (setfield (check_scene (swing ()), "solver", "tolerance", 1e-4), 5, -1);
