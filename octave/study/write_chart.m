@@ -51,16 +51,13 @@ endfunction
 
 ## named are those that no other is both faster and better than, where no name is near
 function text = ladder_block (name, rows)
-  text = sprintf ("$%s << EOD\n", name);
-  named = zeros (0, 2);
-  for row = rows
-    place = log10 ([row.seconds, row.error_m]);
-    near = any (all (abs (named - place) < [0.12 0.4], 2));
-    if (near || any ([rows.seconds] < row.seconds & [rows.error_m] < row.error_m))
-      row.label = "";
-    else
-      named(end+1,:) = place;
+  for k = 1:numel (rows)
+    if (any ([rows.seconds] < rows(k).seconds & [rows.error_m] < rows(k).error_m))
+      rows(k).label = "";
     endif
+  endfor
+  text = sprintf ("$%s << EOD\n", name);
+  for row = spaced_labels (rows)
     text = [text, sprintf("%.9g %.9g \"%s\"\n", row.seconds, row.error_m, row.label)];
   endfor
   text = [text, repmat("NaN NaN \"\"\n", 1, isempty (rows)), "EOD\n"];

@@ -13,7 +13,7 @@ function write_ladder (table, scene, folder)
 
   scratch = fullfile (folder, "scratch");
   mkdir (scratch);
-  drawn = table(isfinite ([table.error_m]) & [table.error_m] > 0);
+  drawn = spaced_labels (table(isfinite ([table.error_m]) & [table.error_m] > 0));
   ode45 = strcmp ({drawn.method}, "ode45");
   shortened = strcmp ({drawn.stiffening}, "foreshortening") & ! ode45;
   selected = struct ("without", ! shortened & ! ode45, "shortened", shortened, "ode45", ode45, ...
