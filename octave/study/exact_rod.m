@@ -22,12 +22,12 @@ function trial = exact_rod (scene, modes, seconds = 300)
   plane.initial.angle = scene.initial.phi;
   plane.initial.velocity = @(xi, alpha) scene.initial.phi_dot*[-alpha(2,:); alpha(1,:)];
   plane.model.modes = [modes modes];
-  plane.solver.tolerance = scene.solver.tolerance/2;
   plane = check_surface_scene (plane);
   system = surface_rod (plane);
   [clock, residual] = deal (tic (), system.residual);
   system.residual = @(varargin) give_up (residual (varargin{:}), clock, seconds);
-  [states, trial.count] = integrate_gauss (system, frame_times (plane), plane.solver.tolerance, 1e-6);
+  times = frame_times (plane);
+  [states, trial.count] = integrate_gauss (system, times, scene.solver.tolerance/numel (times)/2, 1e-6);
   none = 0*states(1:system.n,:);
   fields = system.fields (states(1:system.n,:), none, none, linspace (0, scene.rod.length, 21).');
   [trial.x, ~, trial.y] = system.surface.position (fields{1:2});
