@@ -25,5 +25,5 @@ function stop_integration (method, system, t, last_time, h, what, remedy)
   error ("toolchain:integration", "%s; try %s, fewer modes or another solver\n", text, remedy);
 endfunction
 
-%!error <rk4 stopped at t = 0.5 s of 2 s: no number: .* 0.1 s .* 100 rad/s, is 10 .* 2.828; try .* 0.028 s, rest,>
+%!error <rk4 stopped at t = 0.5 s of 2 s: no number: a step of 0.1 s times the highest frequency, 100 rad/s, is 10 where the method is stable below 2.828; try steps below 0.028 s, rest,>
 %! stop_integration ("rk4", struct ("stiffness", 1e4, "mass", 1), 0.5, 2, 0.1, "no number", "rest");

@@ -53,4 +53,5 @@ endfunction
 %!assert (take_fields (struct ("a", 2), {"a", 1, "number"; "b.c", 3, "number"}, "a thing"), ...
 %!        struct ("a", 2, "b", struct ("c", 3)))
 %!error <bodies\(2\).a is missing: it takes number> take_fields (struct (), {"a", NaN, "number"}, "bodies(2)")
-%!error <bodies\(2\).c is not a field .*: those are a> take_fields (struct ("c", 3), {"a", 1, "number"}, "bodies(2)")
+%!error <bodies\(2\).c is not a field of bodies\(2\): those are a>
+%! take_fields (struct ("c", 3), {"a", 1, "number"}, "bodies(2)");

@@ -6,16 +6,7 @@
 
 function E = surface_energies (system, z, z_dot)
   fields = system.fields (z, z_dot, z_dot, system.points);
-  [density{1:6}] = system.surface.energies (fields{1:8}, system.rod{:});
-  if (system.rhoI > 0)
-    rate = zeros (size (density{1}));
-    for k = 1:columns (z)
-      rate(:,k) = system.turning (z(:,k))*z_dot(:,k);
-    endfor
-    [n{1:3}] = system.surface.normal (fields{1:2});
-    density{1} += system.rhoI*rate.^2/2;
-    density(4:6) = cellfun (@(d, n) d + system.rhoI*rate.*n, density(4:6), n, "uniformoutput", false);
-  endif
+  [density{1:6}] = system.surface.energies (fields{[1:8, 11:12]}, system.rod{:}, system.rhoI);
   E = cell2mat (cellfun (@(d) system.weights.'*d, density.', "uniformoutput", false));
 endfunction
 
@@ -27,3 +18,7 @@ endfunction
 %! n = system.n;
 %! assert (surface_energies (system, system.initial_state(1:n), system.initial_state(n+1:2*n)), ...
 %!         [50; 0; 0; 0; 0; 20], 1e-10);
+%! scene.rod.rhoI = 0.1;  # of each section about its own normal
+%! system = surface_rod (check_surface_scene (scene));
+%! assert (surface_energies (system, system.initial_state(1:n), system.initial_state(n+1:2*n)), ...
+%!         [52.5; 0; 0; 0; 0; 21], 1e-10);

@@ -7,10 +7,9 @@
 ## Fields: n coordinates, initial_state, place (see @code{place_rod}), residual (t, z, z_dot, z_ddot) = mass times
 ## acceleration less forces (n-by-m, at m times), power (t, z, z_dot) of the loads, mass_matrix (z), rate, size (z),
 ## the largest displacement (m) that goes with a small change of z, fields (z, z_dot, z_ddot, stations) = arguments of
-## the surface's functions at stations of the rod, turning (z), the matrix (p-by-n) that makes rates of rotation about
-## the normal of z_dot, surface, rod (stiffnesses and mass as these functions take them),
-## points and weights (p-by-1, m, of the quadrature), breaks, state_scale, mass, stiffness (linear about the start),
-## turned, duration.
+## the surface's functions at stations of the rod, surface, rod (stiffnesses and mass as these functions take them),
+## rhoI, points and weights (p-by-1, m, of the quadrature), breaks, state_scale, mass, stiffness (linear about the
+## start), turned, duration.
 ## @end deftypefn
 
 function system = surface_rod (scene)
@@ -27,7 +26,6 @@ function system = surface_rod (scene)
   ends = rod_basis (scene, system.place, [0; r.length]);
   system.fields = @(z, z_dot, z_ddot, stations) fields_at (rod_basis (scene, system.place, stations), z, z_dot, ...
                                                            z_ddot);
-  system.turning = @(z) turning (z, inside, surface);
   system.residual = @(t, z, z_dot, z_ddot) residual (t, z, z_dot, z_ddot, inside, ends, system, scene);
   system.power = @(t, z, z_dot) sum (z_dot.*load_of (t, z, ends, system, scene), 1);
   system.mass_matrix = @(z) mass_matrix (z, inside, system, r);
@@ -96,11 +94,6 @@ function Q = load_of (t, z, ends, system, scene)
   Q = ends.values{1}.'*d{1} + ends.values{2}.'*d{2} + ends.slopes{1}.'*d{3} + ends.slopes{2}.'*d{4};
 endfunction
 
-function A = turning (z, b, surface)
-  [per_rate{1:4}] = surface.turning (fields_at (b, z, z, z){1:4});
-  A = per_rate{1}.*b.values{1} + per_rate{2}.*b.values{2} + per_rate{3}.*b.slopes{1} + per_rate{4}.*b.slopes{2};
-endfunction
-
 function M = mass_matrix (z, b, system, rod)
   fields = fields_at (b, z, z, z);
   [m_11, m_12, m_22] = system.surface.mass (fields{1:2}, rod.rhoA);
@@ -109,7 +102,8 @@ function M = mass_matrix (z, b, system, rod)
   mixed = b.values{1}.'*((w.*m_12).*b.values{2});
   M += mixed + mixed.';
   if (rod.rhoI > 0)
-    A = turning (z, b, system.surface);
+    [per_rate{1:4}] = system.surface.turning (fields{1:4});
+    A = per_rate{1}.*b.values{1} + per_rate{2}.*b.values{2} + per_rate{3}.*b.slopes{1} + per_rate{4}.*b.slopes{2};
     M += A.'*(rod.rhoI*w.*A);
   endif
 endfunction

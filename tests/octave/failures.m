@@ -6,11 +6,11 @@
 %!  driver (scene, "output", "");
 %!endfunction
 
-%!error <stormer_verlet stopped at .* s of 1.8 s: (then .* no number|its Newton .*): .* is 2.05 .* below 2; try steps>
+%!error <stormer_verlet stopped at t = .* s of 1.8 s: (then its state is no number|its Newton .*): a step of .* times the highest frequency, .* is 2.05 where the method is stable below 2; try steps below>
 %! run ("stormer_verlet", 2.05/2.0447e5, [7 7]);   # an explicit code inside its own rule: a tip at 1274 m
-%!error <rk4 stopped at t = .* s of 1.8 s: then its state is no number: .* is 4.* where .* stable below 2.828>
+%!error <rk4 stopped at t = .* s of 1.8 s: then its state is no number: .* is 4.* where the method is stable below 2.828>
 %! run ("rk4", 2e-5, [7 7]);
-%!error <generalized_alpha stopped at t = 0.3 s of 1.8 s: its Newton .* did not .* 0.01 s .*; try a shorter step>
+%!error <generalized_alpha stopped at t = 0.3 s of 1.8 s: its Newton iteration did not converge: a step of 0.01 s .*; try a shorter step>
 %! run ("generalized_alpha", 1e-2, [7 7], "rho_infinity", 1);
 %!error <lsode_bdf stopped at t = .*: the energy balance is off by .* of the largest energy, more than 0.05>
 %! run ("lsode_bdf", [], [1 3], "tolerance", 0.1);
