@@ -11,8 +11,8 @@
 
 function modal = modal_form (system, stiffness)
   n = rows (system.mass);
-  [X, squares] = eig (stiffness, system.mass);
-  squares = reshape (max (diag (squares), 0), n, 1);
+  [X, squares] = free_modes (stiffness, system.mass);
+  squares = max (squares, 0);
   damping = zeros (n, 1);
   if (isfield (system, "damping_matrix"))
     damping = diag (X \ (system.mass \ (system.damping_matrix*X)));

@@ -28,9 +28,8 @@ endfunction
 
 function modes = lowest_modes (mass, stiffness, n)
   scale = diag (1./sqrt (diag (stiffness)));
-  mass = scale*mass*scale;
-  [modes, flexibilities] = eig ((mass + mass.')/2, scale*stiffness*scale);
-  [~, order] = sort (diag (flexibilities), "descend");
+  [modes, flexibilities] = free_modes (scale*mass*scale, scale*stiffness*scale);
+  [~, order] = sort (flexibilities, "descend");
   modes = scale*modes(:,order(1:min (n, end)));
   modes ./= max (abs (modes), [], 1);
 endfunction

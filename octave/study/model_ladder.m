@@ -74,8 +74,7 @@ function row = run_ode45 (scene, rung, reference, chosen)
   times = frame_times (scene);
   expected = 0;
   if (! system.turned)
-    highest = sqrt (max (eig (system.stiffness, system.mass)));
-    expected = 2*highest*times(end);  # 6 calls a step of 3/omega, the limit of stability
+    expected = 2*highest_frequency (system)*times(end);  # 6 calls a step of 3/omega, the limit of stability
   endif
   extrapolated = expected > 4e6;
   if (extrapolated)
