@@ -14,15 +14,9 @@ function [same, other] = oscillator_functions (omega, damping, tau, last)
   endif
 endfunction
 
-## from the functions of the eigenvalues, which are kept apart a little
+## from the functions of the eigenvalues
 function [same, other] = damped (omega, damping, tau, last)
-  root = sqrt (complex (damping.^2/4 - omega.^2));
-  close = abs (root).*tau < 1e-5;
-  root(close) = 1e-5i./tau(close);
-  first = -damping/2 + root;
-  second = -damping/2 - root;
-  overdamped = ! close & imag (root) == 0;
-  first(overdamped) = omega(overdamped).^2./second(overdamped);
+  [first, second] = oscillator_roots (omega, damping, tau);
   [f1, f2] = deal (phi_functions (tau.*first, last), phi_functions (tau.*second, last));
   gap = first - second;
   same = real ((f2.*first - f1.*second)./gap);
