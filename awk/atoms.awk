@@ -13,7 +13,7 @@ function parse_name(name)
   if (next_is("["))
     return parse_index(name)
   if (name in variable)
-    return new_node("name", variable[name], variable_shape[name], variable_truth[name], variable_cover[name])
+    return variable_node(name)
   if (name in constant)
     return new_node("name", constant[name], "scalar", name ~ /^(true|false)$/, 0)
   if (name == "minf")
@@ -21,6 +21,14 @@ function parse_name(name)
   if (name == "%i")
     fail("the imaginary unit %i cannot be translated")
   fail("`" shortened(name) "' is neither an argument nor a temporary that has a value")
+}
+
+function variable_node(name,    id)
+{
+  id = new_node("name", variable[name], variable_shape[name], variable_truth[name], variable_cover[name])
+  if (name in temporary_value)
+    definition[id] = temporary_value[name]
+  return id
 }
 
 # x[i], x[i, j] or x[i][j].

@@ -1,6 +1,7 @@
 # The body: an expression, a list of expressions if the record has several results, or a block that ends with either.
 #
 #   statement_count, statement_name[k], statement_value[k]     temporaries, in their order
+#   temporary_value[name]                                      the same by name, while it holds
 #   result_value[k]
 
 BEGIN {
@@ -60,10 +61,13 @@ function declare(name, declared)
 
 function assign(name, value)
 {
+  if (name in variable)
+    delete temporary_value  # the values of others may mention it
   set_variable(name, name in variable ? variable[name] : octave_name(name), \
     node_shape[value], node_truth[value], node_cover[value])
   statement_name[++statement_count] = variable[name]
   statement_value[statement_count] = value
+  temporary_value[name] = value
 }
 
 function parse_results(    k)

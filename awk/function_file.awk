@@ -19,8 +19,7 @@ function print_function_file(    body, body_count, k)
   put("endfunction")
   if (test_count)
     put_check_sizes()
-  if ("round_half_even" in is_called)
-    put_round_half_even()
+  put_local_functions()
   for (k = 1; k <= output_count; k++)
     print output[k]
 }
@@ -36,13 +35,4 @@ function put_signature(    k)
     emit(argument_octave[k] (k < argument_count ? ", " : ""))
   emit(")")
   put_pieces()
-}
-
-function put_round_half_even()
-{
-  put("")
-  put("## Maxima's round: a half goes to its even neighbour.")
-  put("function y = round_half_even (x)")
-  put("  y = round (x) - sign (x) .* (abs (rem (x, 2)) == 0.5);")
-  put("endfunction")
 }

@@ -26,10 +26,10 @@ function infix_text(id, operator,    dot)
     operations["addition"]++
     return " " operator " "
   }
-  if (operator == "." || operator == "*" || operator == "/" || operator == "^") {
+  if (operator in operation_name) {
     operations[operation_name[operator]]++
     dot = is_dotted(operator, node_shape[child[id, 1]], node_shape[child[id, 2]])
-    return (dot ? "." : "") (operator == "." ? "*" : operator)
+    return (dot ? "." : "") (operator in octave_operator ? octave_operator[operator] : operator)
   }
   return " " (operator in octave_operator ? octave_operator[operator] : operator) " "
 }
@@ -46,7 +46,7 @@ function is_dotted(operator, left, right)
 BEGIN {
   operation_name["*"] = operation_name["."] = "multiplication"
   operation_name["/"] = "division"
-  operation_name["^"] = "power"
+  operation_name["^"] = operation_name["^^"] = "power"
   operations["addition"] = operations["multiplication"] = operations["division"] = 0
   operations["power"] = operations["call"] = 0
 }

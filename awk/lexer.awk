@@ -1,7 +1,7 @@
 # Cut a body into tokens, token[1] to token[token_count], then an empty one; token_gap[k] is the blank after token[k].
 
 BEGIN {
-  number_pattern = "([0-9]+([.][0-9]+)?|[.][0-9]+)([eEbB][-+]?[0-9]+)?"
+  number_pattern = "([0-9]+([.][0-9]*)?|[.][0-9]+)([eEbBdDfFsSlL][-+]?[0-9]+)?"  # Maxima's: 2. is 2, 3.E+2 is 300.0
   token_pattern = number_pattern "|" maxima_name "|\"([^\"\\\\]|\\\\.)*\"" \
     "|[*][*]|[\\^][\\^]|<=|>=|:=|::=|::|!!|[-+*/.^=#<>!:,()'\\[\\]]"
 }

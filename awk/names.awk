@@ -12,7 +12,7 @@ BEGIN {
     " while arguments varargin varargout nargin nargout ans")
 
   # What any generated file may call, whatever functions its body names.
-  reserve("Inf check_sizes columns exp false merge pi print_usage rows size size_equal sum true zeros")
+  reserve("Inf check_sizes columns exp false merge pi print_usage real_power rows size size_equal sum true zeros")
 }
 
 function reserve(words,    list, k, count)

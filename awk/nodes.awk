@@ -1,6 +1,6 @@
 # The tree. Each node is made whole, with its shape:
 #
-#   node_operator[id]       number, name, negative, not, call, index, list, if, transpose or an infix operator
+#   node_operator[id]       number, name, negative, not, call, function, index, list, if, transpose or an infix operator
 #   node_text[id]           digits, Octave name or text
 #   child[id, k], child_count[id]
 #   node_shape[id]          see shapes.awk
@@ -62,28 +62,18 @@ function binary_node(operator, left, right,    id, shape)
   return id
 }
 
-function power_node(base, exponent)
+# An Octave function of one elementwise argument, and of one more.
+function call_node(name, argument)
 {
-  if (node_operator[base] == "name" && node_text[base] == "exp(1)")
-    return call_node("exp", exponent, 0)
-  return binary_node("^", base, exponent)
+  return with_argument(new_node("call", name, "scalar", 0, 0), argument)
 }
 
-# An Octave function of one or two elementwise arguments; without a second one it is 0.
-function call_node(name, first, second,    id, shape, cover)
+function with_argument(id, argument)
 {
-  must_be_number(first, name)
-  shape = node_shape[first]
-  cover = node_cover[first]
-  if (second) {
-    must_be_number(second, name)
-    shape = common_shape(shape, node_shape[second], name)
-    cover = or(cover, node_cover[second])
-  }
-  id = new_node("call", name, shape, 0, cover)
-  adopt(id, first)
-  if (second)
-    adopt(id, second)
+  must_be_number(argument, node_text[id])
+  node_shape[id] = common_shape(node_shape[id], node_shape[argument], node_text[id])
+  node_cover[id] = or(node_cover[id], node_cover[argument])
+  adopt(id, argument)
   return id
 }
 

@@ -5,11 +5,13 @@ BEGIN {
   kept_digits = 40
 }
 
-# Octave's text of a Maxima number: 1.5b-10 is 1.5e-10, .5 is 0.5.
+# Octave's text of a Maxima number: 1.5b-10 is 1.5e-10, .5 is 0.5, 3.d2 is 3.0e2; 2. is the integer 2.
 function octave_number(text)
 {
   text = tolower(text "")
-  sub(/b/, "e", text)
+  sub(/[bdfsl]/, "e", text)
+  sub(/[.]$/, "", text)
+  sub(/[.]e/, ".0e", text)
   sub(/^0+/, "", text)
   if (text !~ /^[0-9]/)
     text = "0" text
@@ -39,6 +41,8 @@ function shorten_quotient(numerator, denominator,    digits)
     return
   if (length(node_text[numerator]) <= kept_digits && length(node_text[denominator]) <= kept_digits)
     return
+  long_integer[numerator] = node_text[numerator]
+  long_integer[denominator] = node_text[denominator]
   digits = length(node_text[denominator]) - 1
   node_text[numerator] = scaled_integer(node_text[numerator], digits)
   node_text[denominator] = scaled_integer(node_text[denominator], digits)

@@ -2,7 +2,8 @@
 
 BEGIN {
   left_power["!"] = 160
-  left_power["^"] = left_power["**"] = 140; right_power["^"] = right_power["**"] = 139
+  left_power["^"] = left_power["**"] = left_power["^^"] = 140
+  right_power["^"] = right_power["**"] = right_power["^^"] = 139
   left_power["."] = 130; right_power["."] = 129
   left_power["*"] = right_power["*"] = left_power["/"] = right_power["/"] = 120
   left_power["+"] = right_power["+"] = left_power["-"] = right_power["-"] = 100
@@ -31,6 +32,8 @@ function parse(power,    left, operator)
       left = factorial_node(left)
     else if (operator == "^" || operator == "**")
       left = power_node(left, parse(right_power[operator]))
+    else if (operator == "^^")
+      left = matrix_power_node(left, parse(right_power[operator]))
     else
       left = binary_node(operator, left, parse(right_power[operator]))
   }

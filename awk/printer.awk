@@ -8,12 +8,13 @@ BEGIN {
   precedence["+"] = precedence["-"] = 6
   precedence["*"] = precedence["/"] = precedence["."] = 7
   precedence["negative"] = precedence["not"] = 8
-  precedence["^"] = precedence["transpose"] = 9
+  precedence["^"] = precedence["^^"] = precedence["transpose"] = 9
   primary = 10
 
   octave_operator["="] = "=="
   octave_operator["#"] = "!="
   octave_operator["."] = "*"
+  octave_operator["^^"] = "^"
 }
 
 # Octave's scalar || and && bind less than | and &.
@@ -51,7 +52,10 @@ function print_bare(id, operator)
     print_call("merge", id)
   else if (operator == "index")
     print_arguments(node_text[id], id)
-  else if (operator == "list")
+  else if (operator == "function") {
+    emit("@(" node_text[id] ") ")
+    print_node(child[id, 1], 0)
+  } else if (operator == "list")
     print_elements("[", id, "; ", "]")
   else if (operator == "matrix")
     print_matrix(id)

@@ -9,9 +9,12 @@
 @include "shapes.awk"
 @include "kinds.awk"
 @include "nodes.awk"
+@include "fractions.awk"
+@include "powers.awk"
 @include "parser.awk"
 @include "atoms.awk"
 @include "calls.awk"
+@include "sums.awk"
 @include "lists.awk"
 @include "body.awk"
 @include "results.awk"
@@ -21,6 +24,7 @@
 @include "docstring.awk"
 @include "size_check.awk"
 @include "close_look.awk"
+@include "local_functions.awk"
 @include "function_file.awk"
 
 BEGIN {
