@@ -6,7 +6,7 @@ GENERATED ?= generated
 FILES = $(shell git ls-files 2>/dev/null || find . -type f -not -path './output/*' -not -path './.git/*')
 VERSION = 1.0
 
-export SCENE MODES SOLVER TOLERANCE SIZE OUTPUT OCTAVE
+export SCENE MODES SOLVER TOLERANCE SIZE OUTPUT PICTURES OCTAVE
 run_octave = $(OCTAVE) --no-gui --no-history --quiet
 derive_everything = maxima/derive "$(GENERATED)" "$(MODES_LITERAL)"
 derive_surface = maxima/derive_surface "$(or $(OUTPUT),output/surfaces)" "$(SURFACE)"
@@ -16,7 +16,7 @@ derive_surface = maxima/derive_surface "$(or $(OUTPUT),output/surfaces)" "$(SURF
 help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
 	@echo 'make simulate    simulate and draw SCENE=paper (or a file)' \
-		'[MODES="7 7" SOLVER=ode45 TOLERANCE=1e-6 SIZE=1920x1080 OUTPUT=folder]'
+		'[MODES="7 7" SOLVER=ode45 TOLERANCE=1e-6 SIZE=1920x1080 OUTPUT=folder PICTURES=no]'
 	@echo 'make models      the ladder of models of SCENE=paper, error against seconds: table and chart'
 	@echo 'make derive      derive all equations and translate them into generated/ [MODES="7 7" of the literal form]'
 	@echo 'make derive SURFACE=file    derive a surface of one'"'"'s own into output/surfaces/'

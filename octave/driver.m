@@ -4,10 +4,11 @@
 ##
 ## @var{scene} is the name of a function in octave/scenes/ (default "paper"), the path of a function file of one's own,
 ## or a struct; `help scene_fields' lists its fields.  The options stand for fields of the scene: "modes" ([N1 N2] or
-## "auto"), "solver" (a name), "tolerance" (m, or "pixel"), "size" ([W H] of a frame in pixels); and "output" is the
-## folder to write into (default output/NAME; "" writes nothing).
+## "auto"), "solver" (a name), "tolerance" (m, or "pixel"), "size" ([W H] of a frame in pixels); "output" is the folder
+## to write into (default output/NAME; "" writes nothing), and "pictures" (true or false) says whether there are to be
+## more than history.csv and summary.json.
 ##
-## @var{result} has the fields scene, model, history and summary; of a scene of several bodies it is what
+## @var{result}, where it is asked for, has the fields scene, model, history and summary; of a scene of several bodies it is what
 ## @code{simulate_mechanism} returns.
 ##
 ## @example
@@ -16,16 +17,22 @@
 ## @end deftypefn
 
 function result = driver (scene = "paper", varargin)
-  start = tic ();
-  command = repeat_command (scene, varargin);
-  [scene, name] = load_scene (scene);
-  if (isfield (scene, "surface"))
-    result = drive_surface (scene, name, varargin, command);
-    return;
+  found = run_scene (scene, varargin);
+  if (nargout > 0)
+    result = found;
   endif
-  [scene, folder] = take_options (scene, fullfile ("output", name), varargin);
-  if (isfield (scene, "bodies"))
-    result = simulate_mechanism (scene, name, folder, command);
+endfunction
+
+function result = run_scene (scene, options)
+  start = tic ();
+  command = repeat_command (scene, options);
+  [scene, name] = load_scene (scene);
+  [scene, output] = take_options (scene, fullfile ("output", name), options);
+  if (isfield (scene, "surface"))
+    result = drive_surface (scene, name, output, command);
+    return;
+  elseif (isfield (scene, "bodies"))
+    result = simulate_mechanism (scene, name, output, command);
     return;
   endif
   scene = check_scene (scene);
@@ -33,9 +40,7 @@ function result = driver (scene = "paper", varargin)
     scene.title = name;
   endif
   scene.solver.tolerance = tolerance_in_metres (scene);
-  if (! isempty (folder))
-    publish_run (folder, {}, @(aside) 0);  # a folder that cannot be written is known before the work
-  endif
+  prepare_output (output, scene);
 
   try
     [model, choice] = model_of_scene (scene);
@@ -43,18 +48,13 @@ function result = driver (scene = "paper", varargin)
     cellfun (@(text) say ("warning: %s", text), spin_warning (scene, model));
     [history, count] = run_model (scene, model, choice);
   catch err
-    if (strcmp (err.identifier, "toolchain:integration") && ! isempty (folder))
-      record_failure (folder, name, scene, err.message);
-    endif
+    record_failure (output, name, scene, err);
     rethrow (err);
   end_try_catch
   summary = summarise (name, scene, model, choice, count, history);
   summary.command = command;
-
-  if (! isempty (folder))
-    summary = write_run (folder, scene, summary, start, @(file) write_history (history, file), ...
-                         @() with_spectrum (rod_drawing (scene, model, history), scene, model));
-  endif
+  summary = write_run (output, scene, summary, start, @(file) write_history (history, file), ...
+                       @() with_spectrum (rod_drawing (scene, model, history), scene, model));
   result = struct ("scene", scene, "model", model, "history", history, "summary", summary);
 endfunction
 
@@ -68,4 +68,4 @@ endfunction
 %! assert (result.history.t(end), 1.8);
 %! assert (result.summary.method, "ode45");
 %!error <model.modes is "many": it takes "auto" or two numbers of modes \[N1 N2\]> driver ("paper", "modes", "many")
-%!error <"speed" is not an option: those are modes, solver, tolerance, size, output> driver ("paper", "speed", 3)
+%!error <"speed" is not an option: those are modes, solver, tolerance, size, output, pictures> driver ("paper", "speed", 3)

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{arguments} =} environment_options ()
 ## The arguments of @code{driver} from the environment, as `make simulate' passes them: SCENE, MODES, SOLVER,
-## TOLERANCE, SIZE ("1920x1080") and OUTPUT, those that are set and not empty.
+## TOLERANCE, SIZE ("1920x1080"), OUTPUT and PICTURES (yes or no), those that are set and not empty.
 ## @end deftypefn
 
 function arguments = environment_options ()
@@ -10,7 +10,7 @@ function arguments = environment_options ()
     scene = "paper";
   endif
   arguments = {scene};
-  for name = {"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT"}
+  for name = {"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES"}
     text = getenv (name{1});
     if (! isempty (text))
       arguments = [arguments, {tolower(name{1}), number_or_text(text)}];
@@ -18,8 +18,12 @@ function arguments = environment_options ()
   endfor
 endfunction
 
-## "7 7", "1920x1080" and "1e-6" are numbers; names and folders are text
+## "7 7", "1920x1080" and "1e-6" are numbers, yes and no are true and false; names and folders are text
 function value = number_or_text (text)
+  if (any (strcmpi (text, {"yes", "no"})))
+    value = strcmpi (text, "yes");
+    return;
+  endif
   [value, count, message, position] = sscanf (regexprep (text, '^(\d+)x(\d+)$', '$1 $2'), "%f");
   if (position <= numel (text) || isempty (value))
     value = text;
@@ -31,9 +35,9 @@ endfunction
 %!test
 %! unwind_protect
 %!   setenv ("MODES", "0 4"); setenv ("TOLERANCE", "1e-6"); setenv ("OUTPUT", "a folder"); setenv ("SCENE", "");
-%!   setenv ("SOLVER", ""); setenv ("SIZE", "640x360");
+%!   setenv ("SOLVER", ""); setenv ("SIZE", "640x360"); setenv ("PICTURES", "no");
 %!   assert (environment_options (), {"paper", "modes", [0 4], "tolerance", 1e-6, "size", [640 360], ...
-%!                                    "output", "a folder"});
+%!                                    "output", "a folder", "pictures", false});
 %! unwind_protect_cleanup
-%!   cellfun (@(name) setenv (name, ""), {"MODES", "TOLERANCE", "SIZE", "OUTPUT"});
+%!   cellfun (@(name) setenv (name, ""), {"MODES", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES"});
 %! end_unwind_protect

@@ -25,7 +25,13 @@ function text = literal (value)
 endfunction
 
 function text = word (value)
-  if (isnumeric (value))
+  if (islogical (value) && isscalar (value))
+    text = "no";
+    if (value)
+      text = "yes";
+    endif
+    return;
+  elseif (isnumeric (value))
     value = strjoin (arrayfun (@(x) sprintf ("%.15g", x), value(:).', "UniformOutput", false), " ");
   elseif (! ischar (value))
     value = disp (value);
@@ -39,5 +45,6 @@ endfunction
 %!assert (repeat_command ("paper", {}), "make simulate SCENE=paper")
 %!assert (repeat_command ("my rod.m", {"modes", [7 7], "tolerance", 1e-6}), ...
 %!        "make simulate SCENE='my rod.m' MODES='7 7' TOLERANCE=1e-06")
+%!assert (repeat_command ("paper", {"pictures", false}), "make simulate SCENE=paper PICTURES=no")
 %!assert (repeat_command (struct (), {"solver", "rk4", "modes", [1 2]}), ...
 %!        "driver (scene, \"solver\", \"rk4\", \"modes\", [1 2])")

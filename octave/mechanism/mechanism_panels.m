@@ -29,7 +29,7 @@ function [shown, names] = few (names)
   if (numel (names) > 6)
     shown = [1:3, numel(names)-2:numel(names)];
   endif
-  names = strrep (names(shown), " ", "-");
+  names = names(shown);
 endfunction
 
 function [forces, names] = reaction_sizes (scene, mechanism, history)
@@ -49,4 +49,4 @@ endfunction
 %! [system, start, scene] = sample_mechanism ([0 1]);
 %! history = measure_mechanism (system, 0, first_states (system, 0, start));
 %! panels = mechanism_panels (scene, system.mechanism, history, {"angles", "reactions"});
-%! assert (size (panels(1).values), [3 1]); assert (panels(2).names, {"joint-1", "joint-2", "joint-3"});
+%! assert (size (panels(1).values), [3 1]); assert (panels(2).names, {"joint 1", "joint 2", "joint 3"});

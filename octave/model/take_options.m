@@ -1,10 +1,12 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{scene}, @var{folder}] =} take_options (@var{scene}, @var{folder}, @var{options})
-## Put the options of @code{driver}, a cell array of names and values, into the scene's fields; "output" replaces
-## @var{folder}.
+## @deftypefn {} {[@var{scene}, @var{output}] =} take_options (@var{scene}, @var{folder}, @var{options})
+## Put the options of @code{driver}, a cell array of names and values, into the scene's fields, and those that say what
+## is written into the struct @var{output}: its @code{folder} (@var{folder}, unless the option "output" replaces it; ""
+## writes nothing), and whether there are @code{pictures} (true, unless the option is false).
 ## @end deftypefn
 
-function [scene, folder] = take_options (scene, folder, options)
+function [scene, output] = take_options (scene, folder, options)
+  output = struct ("folder", folder, "pictures", true);
   if (mod (numel (options), 2) != 0)
     scene_error ("driver: options come as names and values, in pairs");
   endif
@@ -13,11 +15,16 @@ function [scene, folder] = take_options (scene, folder, options)
   for pair = reshape (options, 2, [])
     [name, value] = pair{:};
     if (strcmp (name, "output") && ischar (value))
-      folder = value;
+      output.folder = value;
+    elseif (strcmp (name, "pictures"))
+      if (! ((islogical (value) || isnumeric (value)) && isscalar (value) && any (value == [0 1])))
+        scene_error ("driver: pictures is %s: it takes true or false, PICTURES=yes or no", disp_name (value));
+      endif
+      output.pictures = logical (value);
     elseif (ischar (name) && isfield (fields, name))
       scene = setfield (scene, fields.(name){:}, value);
     else
-      scene_error ("driver: \"%s\" is not an option: those are %s, output", disp_name (name), ...
+      scene_error ("driver: \"%s\" is not an option: those are %s, output, pictures", disp_name (name), ...
                    strjoin (fieldnames (fields).', ", "));
     endif
   endfor
@@ -28,6 +35,9 @@ function text = disp_name (name)
 endfunction
 
 %!test
-%! [scene, folder] = take_options (struct (), "output/x", {"modes", [1 2], "output", "here"});
-%! assert (scene.model.modes, [1 2]); assert (folder, "here");
+%! [scene, output] = take_options (struct (), "output/x", {"modes", [1 2], "output", "here"});
+%! assert (scene.model.modes, [1 2]); assert (output, struct ("folder", "here", "pictures", true));
+%! assert (nthargout (2, @take_options, scene, "here", {"pictures", false}).pictures, false);
+%!error <driver: pictures is maybe: it takes true or false, PICTURES=yes or no>
+%! take_options (struct (), "", {"pictures", "maybe"});
 %!error <in pairs> take_options (struct (), "", {"modes"})

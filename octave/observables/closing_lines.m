@@ -1,10 +1,10 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{lines} =} closing_lines (@var{folder}, @var{summary}, @var{names})
+## @deftypefn {} {@var{lines} =} closing_lines (@var{output}, @var{summary}, @var{names})
 ## What a person at the terminal wants to know of a run whose files, those of the @var{names} (cellstr) that it made,
-## are in @var{folder}: a cellstr of at most 12 lines.
+## are in the folder of @var{output} (see @code{take_options}): a cellstr of at most 12 lines.
 ## @end deftypefn
 
-function lines = closing_lines (folder, summary, names)
+function lines = closing_lines (output, summary, names)
   lines = {summary.title, sprintf("model: %s (%s)", summary.model, summary.model_reason)};
   if (! isempty (summary.estimated_error_m))
     lines{end+1} = sprintf ("estimated error: %.2g m, %.2g pixels", summary.estimated_error_m, ...
@@ -20,7 +20,11 @@ function lines = closing_lines (folder, summary, names)
   if (left_out > 0)
     warnings{end+1} = sprintf ("warning: %d more in summary.json", left_out);
   endif
-  lines = [lines, warnings(:).', {sprintf("%s/ has %s", folder, strjoin (names, ", "))}];
+  last = sprintf ("%s/ has %s", output.folder, strjoin (names, ", "));
+  if (! output.pictures)
+    last = [last " (PICTURES=no: numbers alone)"];
+  endif
+  lines = [lines, warnings(:).', {last}];
 endfunction
 
 %!test # twelve lines, however much there is to say
@@ -29,7 +33,10 @@ endfunction
 %!                   "estimated_error_pixels", 0.1, "method", "rk4", "tolerance_m", 1e-5, "steps", 3, ...
 %!                   "rate_calls", 12, "largest_energy_error", 1e-9, "seconds", seconds, ...
 %!                   "warnings", {repmat({"look"}, 1, 9)});
-%! lines = closing_lines ("out", summary, {"history.csv", "frames"});
+%! output = struct ("folder", "out", "pictures", true);
+%! lines = closing_lines (output, summary, {"history.csv", "frames"});
 %! assert (numel (lines), 12);
 %! assert (lines{11}, "warning: 4 more in summary.json");
 %! assert (lines{12}, "out/ has history.csv, frames");
+%! output.pictures = false;
+%! assert (closing_lines (output, summary, {"history.csv"}){12}, "out/ has history.csv (PICTURES=no: numbers alone)");

@@ -1,36 +1,55 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{summary} =} write_run (@var{folder}, @var{scene}, @var{summary}, @var{start}, @
+## @deftypefn {} {@var{summary} =} write_run (@var{output}, @var{scene}, @var{summary}, @var{start}, @
 ##   @var{write_table}, @var{draw})
-## All files of a run, whole or not at all, and what a person at the terminal wants to know of it: history.csv by
-## @var{write_table} (file), and the pictures of the drawing that @var{draw} () returns (see @code{draw_pictures}).
-## The summary comes back with the seconds of each part, those since @var{start} (a tic), and the drawing's warnings.
+## All files of a run into the folder of @var{output} (see @code{take_options}), and what a person at the terminal wants
+## to know of it.  The numbers come first: history.csv by @var{write_table} (file), and summary.json.  Then come the
+## pictures of the drawing that @var{draw} () returns (see @code{draw_pictures}); what of them cannot be made is a
+## warning.  The summary comes back with that, and with the seconds of each part, those since @var{start} (a tic).
 ## @end deftypefn
 
-function summary = write_run (folder, scene, summary, start, write_table, draw)
-  names = {"history.csv", "summary.json", "frames", "animation.mp4", "animation.gif", ...
-           "figure3.svg", "figure3.png", "figure3.pdf", "history.svg", "report.html"};
-  publish_run (folder, names, @write);
-  made = names(cellfun (@(name) exist (fullfile (folder, name)) > 0, names));
-  cellfun (@(line) say ("%s", line), closing_lines (folder, summary, made));
+function summary = write_run (output, scene, summary, start, write_table, draw)
+  folder = output.folder;
+  if (isempty (folder))
+    return;
+  endif
+  pictures = {"frames", "animation.mp4", "animation.gif", "figure3.svg", "figure3.png", "figure3.pdf", ...
+              "history.svg", "report.html"};
+  names = {"history.csv", "summary.json"};
+  summary.seconds.pictures = 0;
+  summary.seconds.total = toc (start);
+  ## The pictures of the last run go before its numbers do: they would not belong to these.
+  publish_run (folder, [pictures, names], @write_numbers);
+  if (output.pictures)
+    try
+      publish_run (folder, pictures, @draw_all);
+    catch err
+      warn ("pictures are missing: %s", err.message);
+    end_try_catch
+    summary.seconds.total = toc (start);
+    try
+      publish_run (folder, {"summary.json"}, @write_last);
+    catch err
+      warn ("summary.json lacks the seconds and the warnings of the pictures: %s", err.message);
+    end_try_catch
+    names = [names, pictures(cellfun (@(name) exist (fullfile (folder, name)) > 0, pictures))];
+  endif
+  cellfun (@(line) say ("%s", line), closing_lines (output, summary, names));
 
-  function write (aside)
+  function write_numbers (aside)
     write_table (fullfile (aside, "history.csv"));
-    drawing_start = tic ();
-    show_progress (sprintf ("drawing %d frames ", summary.frames));
-    drawing = draw ();
-    summary.seconds.drawing = toc (drawing_start);
-    [warnings, seconds] = draw_pictures (drawing, aside);
-    summary.warnings = [summary.warnings, warnings];
-    for [value, part] = seconds
-      summary.seconds.(part) = value;
-    endfor
-    summary.seconds.pictures = toc (drawing_start);
-    summary.seconds.total = toc (start);
-    report_start = tic ();
-    write_report (aside, drawing, scene, summary);
-    summary.seconds.report = toc (report_start);
-    summary.seconds.total = toc (start);
+    write_last (aside);
+  endfunction
+
+  function write_last (aside)
     write_summary (summary, fullfile (aside, "summary.json"));
+  endfunction
+
+  function draw_all (aside)
+    summary = draw_run (aside, scene, summary, start, draw);
+  endfunction
+
+  function warn (template, message)
+    summary.warnings{end+1} = sprintf (template, strtrim (message));
   endfunction
 endfunction
 
@@ -38,6 +57,7 @@ endfunction
 %! folder = tempname (); confirm_recursive_rmdir (false, "local");
 %! unwind_protect
 %!   evalc ("result = driver ('paper', 'modes', [0 0], 'output', folder);");
+%!   assert (result.summary.warnings, {});
 %!   assert (numel (glob (fullfile (folder, "frames", "*.png"))), 91);
 %!   assert (rows (csvread (fullfile (folder, "history.csv"), 1, 0)), 91);
 %!   assert (jsondecode (fileread (fullfile (folder, "summary.json"))).frames, 91);

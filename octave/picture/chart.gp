@@ -8,12 +8,12 @@ colours = "0x1f77b4 0xd62728 0x2ca02c 0xff7f0e 0x9467bd 0x8c564b 0xe377c2 0x7f7f
           "0x000000 0x004488 0xaa3377 0x999933"
 colour(k) = int (word (colours, k))
 curve(k, x) = sprintf (", $curve_%d using %d:3 with linespoints pt %d ps 0.7 lc rgb %d title '%s'", k, x, shape (k), \
-    colour (k), word (methods, k)). \
+    colour (k), methods[k]). \
   sprintf (", $part_%d using %d:3 with points pt 6 ps 1.8 lc rgb %d notitle", k, x, colour (k)). \
   sprintf (", $failed_%d using %d:3 with points pt 2 ps 1.2 lw 2 lc rgb %d notitle", k, x, colour (k))
 panel_1 = "plot NaN notitle"
 panel_2 = "plot NaN notitle"
-do for [k = 1:words (methods)] {
+do for [k = 1:|methods|] {
   panel_1 = panel_1.curve (k, 1)
   panel_2 = panel_2.curve (k, 2)
 }

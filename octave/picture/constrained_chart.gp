@@ -18,15 +18,15 @@ do for [kind in "svg png"] {
   set ylabel "error of the rods' ends, m"
   unset key
   set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
-  plot for [k=1:words (methods)] "$curve_".k using 1:2 with linespoints pt shape (k) ps 0.7 lc rgb colour (k) \
-      title word (methods, k)
+  plot for [k=1:|methods|] "$curve_".k using 1:2 with linespoints pt shape (k) ps 0.7 lc rgb colour (k) \
+      title methods[k]
   set lmargin at screen 0.40
   set rmargin at screen 0.66
   set ylabel "constraint drift, m or rad"
   unset label 1
   set key at screen 0.67,0.9 left top reverse Left samplen 2 noenhanced
-  plot for [k=1:words (methods)] "$curve_".k using 1:3 with linespoints pt shape (k) ps 0.7 lc rgb colour (k) \
-      title word (methods, k)
+  plot for [k=1:|methods|] "$curve_".k using 1:3 with linespoints pt shape (k) ps 0.7 lc rgb colour (k) \
+      title methods[k]
   set key default
   set key top left
   set lmargin at screen 0.83

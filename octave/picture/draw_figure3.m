@@ -27,7 +27,7 @@ function job = draw_figure3 (drawing, scratch)
     pins = [pins; pin];
   endfor
   settings.outlines = numel (outlines);
-  settings.times = sprintf ("%.9g ", times);
+  settings.times = num2cell (times);
   write_text (fullfile (scratch, "settings.gp"),
               [gnuplot_settings(settings), gnuplot_block("outlines", outlines), gnuplot_block("rests", rests), ...
                gnuplot_block("tip_path", {tip_path(drawing.bodies)}), gnuplot_block("ground", {ground}), ...

@@ -15,11 +15,12 @@ function jobs = draw_frames (drawing, scratch)
   if (! isempty (slowed))
     settings.zoom = [slowed ", " settings.zoom];
   endif
+  [~, settings.frame_name] = frame_names ([], numel (drawing.time));
   settings.stress = range;
   settings.stress_unit = unit;
   coloured = ! cellfun (@isempty, stress);
   settings.coloured = sum (coloured);
-  settings.thickness = sprintf ("%.2f ", 2 * max ([drawing.bodies(coloured).half_height] / camera.pixel, 1.5));
+  settings.thickness = num2cell (2*max ([drawing.bodies(coloured).half_height]/camera.pixel, 1.5));
   [path, pieces] = tip_path (drawing.bodies);
   write_text (fullfile (scratch, "settings.gp"), ...
               [gnuplot_settings(settings), gnuplot_settings(layout), strip_data(drawing), ...

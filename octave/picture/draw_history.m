@@ -11,7 +11,8 @@ function job = draw_history (drawing, scratch)
   settings.t = padded_range (drawing.time);
   settings.panels = numel (panels);
   inside = drawing.moment_breaks > drawing.time(1) & drawing.moment_breaks < drawing.time(end);
-  settings.breaks = sprintf ("%.9g ", drawing.moment_breaks(inside));
+  settings.break_count = sum (inside);
+  settings.breaks = num2cell (drawing.moment_breaks(inside));
   settings.spectrum = double (isfield (drawing, "spectrum") && ! isempty (drawing.spectrum));
   names = [{""}, panels.names, repmat({"predicted, at rest"}, 1, settings.spectrum), ...
            repmat({"break of loads"}, 1, any (inside))];
@@ -22,7 +23,7 @@ function job = draw_history (drawing, scratch)
   endif
   for i = 1:numel (panels)
     [label, values] = scaled_panel (panels(i));
-    panel = struct ("label", label, "names", strjoin (panels(i).names), ...
+    panel = struct ("label", label, "names", {panels(i).names}, ...
                     "range", padded_range (values), "step", tic_step (padded_range (values), 5));
     write_text (fullfile (scratch, sprintf ("panel_%d.gp", i)),
                 [gnuplot_settings(panel), gnuplot_block("curves", {[drawing.time; values].'})]);
@@ -34,18 +35,19 @@ endfunction
 function text = spectrum_data (spectrum)
   [label, values] = scaled_panel (spectrum);
   high = 10^ceil (log10 (max ([values(:); realmin])));
-  settings = struct ("spectrum_label", label, "note", spectrum.note, "spectrum_names", strjoin (spectrum.names), ...
-                     "predicted", sprintf ("%.9g ", spectrum.predicted), "frequency", spectrum.frequency([1, end]), ...
-                     "amplitude", [1e-5*high, high], "frequency_tics", decade_tics (spectrum.frequency([1, end])));
+  settings = struct ("spectrum_label", label, "note", spectrum.note, "spectrum_names", {spectrum.names}, ...
+                     "predicted_count", numel (spectrum.predicted), "predicted", {num2cell(spectrum.predicted)}, ...
+                     "frequency", spectrum.frequency([1, end]), "amplitude", [1e-5*high, high], ...
+                     "frequency_tics", {num2cell(decade_tics (spectrum.frequency([1, end])))});
   text = [gnuplot_settings(settings), gnuplot_block("spectrum", {[spectrum.frequency; values].'})];
 endfunction
 
 ## 1, 2, 5, 10, ..., or powers of ten alone where those are many
-function words = decade_tics (range)
+function tics = decade_tics (range)
   decades = floor (log10 (range(1))):ceil (log10 (range(2)));
   digits = [1, 2, 5](1:1 + 2*(diff (log10 (range)) < 2.5));
   tics = (digits.'.*10.^decades)(:).';
-  words = sprintf ("%.9g ", tics(tics >= 0.999*range(1) & tics <= 1.001*range(2)));
+  tics = tics(tics >= 0.999*range(1) & tics <= 1.001*range(2));
 endfunction
 
 %!function text = history_of (drawing)

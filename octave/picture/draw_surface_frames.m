@@ -9,8 +9,9 @@
 function jobs = draw_surface_frames (drawing, scratch)
   mkdir (fullfile (scratch, "..", "frames"));
   write_surface_settings (drawing, scratch, "png");
-  jobs = start_shares (scratch, "surface.gp", numel (drawing.time), ...
-                       @(frame) surface_frame_data (drawing, frame, sprintf ("../frames/frame_%04d", frame)));
+  frames = numel (drawing.time);
+  name = @(frame) fullfile ("..", frame_names (frame, frames){1}(1:end-4));  # without .png
+  jobs = start_shares (scratch, "surface.gp", frames, @(frame) surface_frame_data (drawing, frame, name (frame)));
 endfunction
 
 %!test # frames of the right size

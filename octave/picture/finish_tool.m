@@ -12,11 +12,15 @@ function finish_tool (job)
     unlink (job.log);
   endif
   if (status != 0)
-    lines = strsplit (strtrim (said), "\n");
-    if (WIFEXITED (status) && WEXITSTATUS (status) == 127)
-      lines = {[job.tool " is not installed: `make setup` installs it"]};
+    last = strtrim (strsplit (strtrim (said), "\n"){end});
+    if (WIFSIGNALED (status))
+      error ("toolchain:scene", "%s was ended by signal %d: %s\n", job.tool, WTERMSIG (status), last);
+    elseif (WEXITSTATUS (status) == 127)
+      last = [job.tool " is not installed: `make setup` installs it"];
+    elseif (isempty (last))
+      last = "it does not say why";
     endif
-    error ("toolchain:scene", "%s failed with status %d: %s\n", job.tool, WEXITSTATUS (status), strtrim (lines{end}));
+    error ("toolchain:scene", "%s failed with status %d: %s\n", job.tool, WEXITSTATUS (status), last);
   endif
 endfunction
 
@@ -24,3 +28,5 @@ endfunction
 %! finish_tool (start_tool (tempdir (), "gnuplot", "sh -c 'echo first; echo second >&2; exit 3'"));
 %!error <gnuplot failed with status 127: gnuplot is not installed: `make setup` installs it>
 %! finish_tool (start_tool (tempdir (), "gnuplot", "no_such_command"));
+%!error <gnuplot failed with status 2: it does not say why>
+%! finish_tool (start_tool (tempdir (), "gnuplot", "sh -c 'exit 2'"));

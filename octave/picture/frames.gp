@@ -7,8 +7,8 @@ set colorbox user origin screen R(bar),Y(scene_bottom) size screen X(16),Y(units
 if (!coloured) { unset colorbox }
 
 do for [frame=first:last] {
-  load sprintf("%04d.gp", frame)
-  set output sprintf("../frames/frame_%04d.png", frame)
+  load sprintf("%d.gp", frame)
+  set output "../".sprintf(frame_name, frame)
   set multiplot
 
   set margins at screen X(95),at screen R(scene_right),at screen Y(scene_bottom),at screen T(scene_top)
@@ -31,7 +31,7 @@ do for [frame=first:last] {
        $tip_path every ::0::tip with lines lc rgb light lw 1.5, \
        for [i=1:bodies] $rest index i-1 with lines lc rgb light lw 1.5 dt 2, \
        for [i=1:bodies] $outline index i-1 with filledcurves closed fc rgb body, \
-       for [i=1:coloured] $pieces index i-1 with vectors nohead lc palette lw word(thickness, i), \
+       for [i=1:coloured] $pieces index i-1 with vectors nohead lc palette lw thickness[i], \
        for [i=1:bodies] $outline index i-1 with lines lc rgb ink lw 0.7, \
        $pins with filledcurves closed fc rgb "white", \
        $pins with lines lc rgb ink lw 1.5, \

@@ -13,7 +13,7 @@ set format x ""
 # as much room for the names as the longest takes
 right = 930 - 9*longest_name < 815 ? 930 - 9*longest_name : 815
 set key at graph 1.01,1 left top reverse Left samplen 2 noenhanced textcolor rgb ink
-do for [b in breaks] { set arrow from real(b), graph 0 to real(b), graph 1 nohead dt 2 lw 1 lc rgb ink }
+do for [k=1:break_count] { set arrow from breaks[k], graph 0 to breaks[k], graph 1 nohead dt 2 lw 1 lc rgb ink }
 
 # The first curve is the widest: where curves coincide, all are seen.
 do for [p=1:panels] {
@@ -24,9 +24,9 @@ do for [p=1:panels] {
   set ytics step
   set label 2 label at graph 0,1.1 textcolor rgb ink
   if (p == panels) { set format x "%h"; set xlabel "{/:Italic t}, s" }
-  marks = p == 1 && words(breaks) > 0
-  plot for [k=1:words(names)] $curves using 1:k+1 with linespoints lt k lw 1 + 2.5/k pt 7 ps 0.2 \
-      title word(names, k), NaN with lines dt 2 lw 1 lc rgb ink title (marks ? "break of loads" : "")
+  marks = p == 1 && break_count > 0
+  plot for [k=1:|names|] $curves using 1:k+1 with linespoints lt k lw 1 + 2.5/k pt 7 ps 0.2 \
+      title names[k], NaN with lines dt 2 lw 1 lc rgb ink title (marks ? "break of loads" : "")
   unset label 1
 }
 
@@ -39,14 +39,16 @@ if (spectrum) {
   set format x "%h"
   set format y "10^{%L}"
   set xtics ()
-  do for [f in frequency_tics] { set xtics add (f real(f)) }
+  do for [k=1:|frequency_tics|] { set xtics add (sprintf("%.9g", frequency_tics[k]) frequency_tics[k]) }
   set ytics auto
   set xrange [frequency_low:frequency_high]
   set yrange [amplitude_low:amplitude_high]
   set xlabel "frequency, Hz (".note.")" noenhanced
   set label 2 spectrum_label noenhanced
-  do for [f in predicted] { set arrow from real(f), graph 0 to real(f), graph 1 nohead dt 2 lw 1 lc rgb ink back }
-  plot for [k=1:words(spectrum_names)] $spectrum using 1:k+1 with lines lt k lw 1 title word(spectrum_names, k), \
-       NaN with lines dt 2 lw 1 lc rgb ink title (words(predicted) > 0 ? "predicted, at rest" : "")
+  do for [k=1:predicted_count] {
+    set arrow from predicted[k], graph 0 to predicted[k], graph 1 nohead dt 2 lw 1 lc rgb ink back
+  }
+  plot for [k=1:|spectrum_names|] $spectrum using 1:k+1 with lines lt k lw 1 title spectrum_names[k], \
+       NaN with lines dt 2 lw 1 lc rgb ink title (predicted_count > 0 ? "predicted, at rest" : "")
 }
 unset multiplot

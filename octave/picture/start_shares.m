@@ -10,7 +10,7 @@ function jobs = start_shares (scratch, script, frames, frame_text)
   for share = 1:shares
     mine = floor ((share - 1)*frames/shares) + 1:floor (share*frames/shares);
     for frame = mine
-      write_text (fullfile (scratch, sprintf ("%04d.gp", frame)), frame_text (frame));
+      write_text (fullfile (scratch, sprintf ("%d.gp", frame)), frame_text (frame));
     endfor
     jobs(share) = start_gnuplot (scratch, script, mine(1), mine(end));
   endfor
@@ -24,7 +24,7 @@ endfunction
 %!   for job = jobs
 %!     fail ("finish_tool (job)", "no_such_script.gp");
 %!   endfor
-%!   assert (fileread (fullfile (scratch, "0007.gp")), "# 7\n");
+%!   assert (fileread (fullfile (scratch, "7.gp")), "# 7\n");
 %! unwind_protect_cleanup
 %!   rmdir (scratch, "s");
 %! end_unwind_protect

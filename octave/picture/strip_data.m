@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{text} =} strip_data (@var{drawing})
 ## The strips beside the frames of @var{drawing} (see @code{draw_pictures}) for @file{strips.gp}: $history, the time
-## and all curves, the time's range and step, and what each strip has, as lists of words (see @code{strip_names}).
+## and all curves, the time's range and step, and what each strip has, as arrays (see @code{strip_names}).
 ## @end deftypefn
 
 function text = strip_data (drawing)
@@ -10,23 +10,24 @@ function text = strip_data (drawing)
   if (numel (sprintf ("%g", time.t_step)) > 4)
     time.t_step = tic_step (time.t, 4);
   endif
-  settings = struct ("strips", numel (drawing.strips), "labels", "", "names", "", "named", "", "places", "", ...
-                     "curves", "", "low", "", "high", "", "step", "");
+  settings.strips = numel (drawing.strips);
+  [settings.labels, settings.names, settings.named, settings.places] = deal ({});
+  [settings.curves, settings.low, settings.high, settings.step] = deal ({});
   table = drawing.time;
   known = {};
   room = frame_layout (drawing).strip_width;
   for i = 1:settings.strips
     [label, values] = scaled_panel (drawing.strips(i));
     range = padded_range (values);
-    settings.labels = [settings.labels, "\"", label, "\" "];
-    settings.curves = [settings.curves, sprintf("%d ", rows (values))];
-    settings.low = [settings.low, sprintf("%.9g ", range(1))];
-    settings.high = [settings.high, sprintf("%.9g ", range(2))];
-    settings.step = [settings.step, sprintf("%.9g ", tic_step (range, 5))];
+    settings.labels{i} = label;
+    settings.curves{i} = rows (values);
+    settings.low{i} = range(1);
+    settings.high{i} = range(2);
+    settings.step{i} = tic_step (range, 5);
     [names, places, known] = names_of (label, drawing.strips(i).names, room, known);
-    settings.named = [settings.named, sprintf("%d ", numel (names))];
-    settings.names = [settings.names, strcat("\"", names, {"\" "}){:}];
-    settings.places = [settings.places, num2str(places, "%.0f ") " "];
+    settings.named{i} = numel (names);
+    settings.names = [settings.names, names];
+    settings.places = [settings.places, num2cell(places)];
     table = [table; values];
   endfor
   text = [gnuplot_settings(time), gnuplot_settings(settings), gnuplot_block("history", {table.'})];
@@ -52,5 +53,5 @@ endfunction
 %! drawing = sample_bodies (3);
 %! drawing.strips(2) = setfield (drawing.strips, "label", "again");
 %! text = strip_data (drawing);
-%! assert (! isempty (strfind (text, "named = '2 0 '")));
-%! assert (! isempty (strfind (text, "names = '\"x\" \"y\" '")));
+%! assert (! isempty (strfind (text, "named[2] = [2, 0]")));
+%! assert (! isempty (strfind (text, "names[2] = ['x', 'y']")));

@@ -9,16 +9,16 @@ column = 1
 name = 1
 do for [i=1:strips] {
   set margins at screen R(strip_left),at screen R(25),at screen Y(bottom(i)),at screen Y(bottom(i) + strip_height)
-  set yrange [real(word(low, i)):real(word(high, i))]
-  set ytics real(word(step, i))
+  set yrange [low[i]:high[i]]
+  set ytics step[i]
   set xlabel (i == strips ? "{/:Italic t}, s" : "")
   set format x (i == strips ? "%h" : "")
-  set label 1 word(labels, i) at screen R(strip_left),Y(bottom(i) + strip_height + 14) noenhanced
-  n = int(word(curves, i))
-  do for [k=1:int(word(named, i))] {
-    set label 1+k word(names, name) at screen R(25 + real(word(places, name))),Y(bottom(i) + strip_height + 14) right \
+  set label 1 labels[i] at screen R(strip_left),Y(bottom(i) + strip_height + 14) noenhanced
+  n = curves[i]
+  do for [k=1:named[i]] {
+    set label 1+k names[name] at screen R(25 + places[name]),Y(bottom(i) + strip_height + 14) right \
         noenhanced
-    if (word(names, name) ne "…") { set label 1+k textcolor linetype k }
+    if (names[name] ne "…") { set label 1+k textcolor linetype k }
     name = name + 1
   }
   plot for [k=1:n] $history using 1:column+k with lines lc rgb light notitle, \

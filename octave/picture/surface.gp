@@ -10,7 +10,7 @@ set hidden3d front
 load here."units.gp"
 
 do for [frame=first:last] {
-  load sprintf("%04d.gp", frame)
+  load sprintf("%d.gp", frame)
   do for [kind in kinds] {
     if (kind eq "png" && !frame_with_strips) { set terminal pngcairo size 2000,1500 font "sans-serif,12" \
         fontscale 2 linewidth 2 }

@@ -34,7 +34,7 @@ function write (table, scenes, numbers, folder)
   write_text (fullfile (folder, "surface_modes.csv"), [strjoin([header, lines], "\n") "\n"]);
   scratch = fullfile (folder, "scratch");
   mkdir (scratch);
-  write_text (fullfile (scratch, "settings.gp"), [gnuplot_settings(struct ("names", strjoin (scenes))), ...
+  write_text (fullfile (scratch, "settings.gp"), [gnuplot_settings(struct ("names", {scenes})), ...
                                                   gnuplot_block("modes", {[numbers; table].'})]);
   finish_tool (start_gnuplot (scratch, "surface_modes.gp"));
   confirm_recursive_rmdir (false, "local");

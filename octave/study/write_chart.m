@@ -19,7 +19,7 @@ function write_chart (table, ladder, cost, scene, folder)
   mkdir (scratch);
   methods = unique ({table.method}, "stable");
   text = gnuplot_settings (struct ("title", sprintf ("%s, %d + %d sines", scene.title, scene.model.modes), ...
-                                   "methods", strjoin (strrep (methods, " ", "-"), " "), "cost_low", cost(1,2)));
+                                   "methods", {methods}, "cost_low", cost(1,2)));
   for k = 1:numel (methods)
     of_method = table(strcmp ({table.method}, methods{k}));
     failed = ! cellfun (@isempty, {of_method.failure});

@@ -16,7 +16,7 @@ function write_constrained_chart (table, cost, scene, folder)
   scratch = fullfile (folder, "scratch");
   mkdir (scratch);
   methods = unique ({table.method}, "stable");
-  text = gnuplot_settings (struct ("title", scene.title, "methods", strjoin (methods, " ")));
+  text = gnuplot_settings (struct ("title", scene.title, "methods", {methods}));
   for k = 1:numel (methods)
     own = table(strcmp ({table.method}, methods{k}));
     text = [text, gnuplot_block(sprintf ("curve_%d", k), {[[own.seconds]; [own.error]; max([own.drift], 1e-17)].'})];

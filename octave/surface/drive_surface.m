@@ -1,32 +1,29 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{result} =} drive_surface (@var{scene}, @var{name}, @var{options}, @var{command})
+## @deftypefn {} {@var{result} =} drive_surface (@var{scene}, @var{name}, @var{output}, @var{command})
 ## @code{driver} for a scene that has a surface: simulate the rod on it and leave history, summary, frames, film and
-## figures; @var{command} is what repeats it.  The result has the fields scene, system, history and summary.
+## figures where @var{output} (see @code{take_options}) says; @var{command} is what repeats it.  The result has the
+## fields scene, system, history and summary.
 ## @end deftypefn
 
-function result = drive_surface (scene, name, options, command = "")
+function result = drive_surface (scene, name, output, command = "")
   start = tic ();
-  [scene, folder] = take_options (scene, fullfile ("output", name), options);
   scene = check_surface_scene (scene);
   if (isempty (scene.title))
     scene.title = name;
   endif
+  prepare_output (output, scene);
   try
     [run, choice] = choose_surface (scene);
   catch err
-    if (strcmp (err.identifier, "toolchain:integration") && ! isempty (folder))
-      record_failure (folder, name, scene, err.message);
-    endif
+    record_failure (output, name, scene, err);
     rethrow (err);
   end_try_catch
   announce (choice);
   [scene, system, history] = deal (run.scene, run.system, run.history);
   summary = summarise_surface (name, run, choice);
   summary.command = command;
-  if (! isempty (folder))
-    summary = write_run (folder, scene, summary, start, @(file) write_surface_history (history, file), ...
-                         @() surface_drawing (system, scene, history));
-  endif
+  summary = write_run (output, scene, summary, start, @(file) write_surface_history (history, file), ...
+                       @() surface_drawing (system, scene, history));
   result = struct ("scene", scene, "system", system, "history", history, "summary", summary);
 endfunction
 

@@ -6,9 +6,9 @@
 ## @end deftypefn
 
 function [energy, place, speed] = mechanism_balance (scene, duration = [])
-  [scene, name] = load_scene (scene);
+  scene = load_scene (scene);
   scene.duration = [duration, scene.duration](1);
-  evalc ("summary = simulate_mechanism (scene, name, \"\").summary;");
+  evalc ("summary = driver (scene, 'output', '').summary;");
   [energy, place, speed] = deal (summary.largest_energy_error, summary.largest_constraint_residual, ...
                                  summary.largest_constraint_velocity);
 endfunction

@@ -1,14 +1,14 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} write_report (@var{folder}, @var{drawing}, @var{scene}, @var{summary})
-## @file{report.html} in a @var{folder} that has @file{figure3.svg} and @file{history.svg}: one page that needs no
-## other file and no network, made of the files beside this one. It animates @var{drawing} (see @code{draw_pictures})
+## @file{report.html} in a @var{folder}, with @file{figure3.svg} and @file{history.svg} where they are there: one page
+## that needs no other file and no network, made of the files beside this one. It animates @var{drawing} (see @code{draw_pictures})
 ## and tells what the @var{scene} and the @var{summary} (structs of any fields; see @code{summarise}) say.
 ## @end deftypefn
 
 function write_report (folder, drawing, scene, summary)
   here = fileparts (mfilename ("fullpath"));
   part = @(name) fileread (fullfile (here, name));
-  picture = @(name, text) inline_svg (fileread (fullfile (folder, [name ".svg"])), name, text);
+  picture = @(name, text) picture_or_word (fullfile (folder, [name ".svg"]), name, text);
   seconds = sprintf ("%.3g s", drawing.time(end) - drawing.time(1));
   panels = labels (drawing.panels);
 
@@ -31,6 +31,14 @@ function write_report (folder, drawing, scene, summary)
   page.style = part ("report.css");
   page.script = part ("report.js");
   write_text (fullfile (folder, "report.html"), fill (part ("report.html"), page));
+endfunction
+
+function html = picture_or_word (file, name, text)
+  if (exist (file, "file"))
+    html = inline_svg (fileread (file), name, text);
+  else
+    html = ["<p>" name ".svg is missing: the warnings say why.</p>"];
+  endif
 endfunction
 
 function text = labels (panels)
@@ -94,11 +102,11 @@ function html = equations (names)
   endfor
 endfunction
 
-%!function html = report_of (drawing, use)
+%!function html = report_of (drawing, use, figures = {"figure3", "history"})
 %!  folder = tempname ();
 %!  mkdir (folder);
 %!  unwind_protect
-%!    for name = {"figure3", "history"}
+%!    for name = figures
 %!      write_text (fullfile (folder, [name{1} ".svg"]), ...
 %!                  "<svg xmlns='http://www.w3.org/2000/svg'><path id='a'/></svg>\n");
 %!    endfor
@@ -140,6 +148,10 @@ endfunction
 %!             "MODES=&#39;1 2&#39;", "<mfrac>", "prefers-color-scheme: dark", "width=device-width", "aria-label"}
 %!   assert (! isempty (strfind (html, text{1})), text{1});
 %! endfor
+%!test # without its figures
+%! html = report_of (sample_drawing (2), @fileread, {});
+%! check_tags (html);
+%! assert (! isempty (strfind (html, "<p>figure3.svg is missing: the warnings say why.</p>")));
 %!test # several bodies
 %! check_tags (report_of (sample_bodies (3), @fileread));
 %!test # free bodies, nothing beside them

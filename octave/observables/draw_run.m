@@ -1,0 +1,43 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{summary} =} draw_run (@var{folder}, @var{scene}, @var{summary}, @var{start}, @var{draw})
+## The pictures of the drawing that @var{draw} () returns (see @code{draw_pictures}), and the report, in the existing
+## @var{folder}.  The @var{summary} comes back with the seconds of each part, those since @var{start} (a tic), and with
+## warnings of what could not be made.
+## @end deftypefn
+
+function summary = draw_run (folder, scene, summary, start, draw)
+  drawing_start = tic ();
+  show_progress (sprintf ("drawing %d frames ", summary.frames));
+  drawing = draw ();
+  summary.seconds.drawing = toc (drawing_start);
+  [missing, warnings, seconds] = draw_pictures (drawing, folder);
+  before = [summary.warnings, warnings];
+  summary.warnings = [before, missing_warnings(missing)];
+  for [value, part] = seconds
+    summary.seconds.(part) = value;
+  endfor
+  summary.seconds.pictures = toc (drawing_start);
+  summary.seconds.total = toc (start);
+  report_start = tic ();
+  try
+    write_report (folder, drawing, scene, summary);
+  catch err
+    [~, ~] = unlink (fullfile (folder, "report.html"));
+    missing(end+1,:) = {"report.html", reason_of(err)};
+    summary.warnings = [before, missing_warnings(missing)];
+  end_try_catch
+  summary.seconds.report = toc (report_start);
+endfunction
+
+%!test # a report that cannot be written is a warning, and the pictures stay
+%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   mkdir (fullfile (folder, "report.html"));
+%!   summary = struct ("frames", 2, "model", "rigid", "warnings", {{}}, "seconds", struct ());
+%!   summary = draw_run (folder, struct (), summary, tic (), @() sample_drawing (2));
+%!   assert (numel (summary.warnings), 1);
+%!   assert (! isempty (regexp (summary.warnings{1}, "^report.html is missing: .* cannot be written: ")));
+%!   assert (stat (fullfile (folder, "history.svg")).size > 1000);
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect
