@@ -7,9 +7,10 @@
 ## @end deftypefn
 
 function start = initial_coordinates (initial, model, phi_of_V)
-  [N1, N2] = deal (numel (model.base.longitudinal), sum (model.base.transversal > 0));
+  [N1, N2] = deal (sum (model.base.longitudinal > 0), sum (model.base.transversal > 0));
   most = {[N1 N2], [30 30]}{1 + isempty(model.rung.sines)};  # eigenmodes take what they can of 30 sines
   given = [padded(initial.V1, N1, most(1), "V1"), padded(initial.V1_dot, N1, most(1), "V1_dot")
+           zeros(numel (model.base.longitudinal) - N1, 2)
            padded(initial.V2, N2, most(2), "V2"), padded(initial.V2_dot, N2, most(2), "V2_dot")
            zeros(numel (model.base.transversal) - N2 + 1, 2)];
   n = columns (model.basis);

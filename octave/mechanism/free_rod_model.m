@@ -3,8 +3,9 @@
 ## The model of a mechanism's @var{body} on a @var{rung} of the ladder: as @code{build_model} of a hinged rod, with its
 ## mass (kg) in arrays.mass.
 ##
-## Sines fit pinned ends.  rung.sines holds [N1 N2]; with rung.corrections (see @code{base_functions})
-## ends may bear moments.
+## Sines fit pinned ends that bear no force along the rod.  rung.sines holds [N1 N2]; rung.corrections and
+## rung.elongations, where they are there, are the numbers of base functions (see @code{base_functions}) for ends that
+## bear moments and stations that bear forces.
 ## @end deftypefn
 
 function model = free_rod_model (body, rung)
@@ -12,11 +13,11 @@ function model = free_rod_model (body, rung)
   model.length = body.rod.length;
   model.section = rod_section (body.rod, body.model);
   model.shortening = double (strcmp (rung.stiffening, "foreshortening"));
-  corrections = [];
-  if (isfield (rung, "corrections"))
-    corrections = rung.corrections;
-  endif
-  model.base = base_functions (1:rung.sines(1), [1:rung.sines(2), corrections], model.length);
+  more = struct ("elongations", [], "corrections", []);
+  for name = intersect (fieldnames (more), fieldnames (rung)).'
+    more.(name{1}) = rung.(name{1});
+  endfor
+  model.base = base_functions ([1:rung.sines(1), more.elongations], [1:rung.sines(2), more.corrections], model.length);
   if (isempty (body.rod.curvature))
     arrays = rod_arrays (model.base, model.section, model.shortening);
   else

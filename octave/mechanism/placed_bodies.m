@@ -70,14 +70,14 @@ function [V, V_dot] = amplitudes (initial, base, name)
   numbers = {base.longitudinal, base.transversal};
   V = V_dot = [];
   for i = 1:2
-    N = numel (numbers{i});
+    [N, all] = deal (sum (numbers{i} > 0), numel (numbers{i}));
     of = {sprintf("V%d", i), sprintf("V%d_dot", i)};
     for field = of
       given = initial.(field{1})(:);
       if (numel (given) > N)
         scene_error ("%s: initial.%s has %d amplitudes for %d modes", name, field{1}, numel (given), N);
       endif
-      padded.(field{1}) = [given; zeros(N - numel (given), 1)];
+      padded.(field{1}) = [given; zeros(all - numel (given), 1)];
     endfor
     V = [V; padded.(of{1})];
     V_dot = [V_dot; padded.(of{2})];

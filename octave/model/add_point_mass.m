@@ -21,7 +21,7 @@ function arrays = add_point_mass (arrays, base, station, mass, shortening)
 endfunction
 
 %!test # many equal point masses along it are a rod of that mass
-%! base = base_functions (1:2, [1 2 -1], 1.5);
+%! base = base_functions ([1 2 -1 -0.4], [1 2 -1], 1.5);
 %! section = struct ("rhoA", 3, "rhoI", 0, "EA", 5, "EI", 7, "GI", 0);
 %! nothing = setfield (section, "rhoA", 0);
 %! expected = rod_arrays (base, section, 1);

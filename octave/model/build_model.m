@@ -18,7 +18,7 @@ function model = build_model (scene, rung)
   model.length = scene.rod.length;
   model.section = rod_section (scene.rod, scene.model);
   model.shortening = double (strcmp (rung.stiffening, "foreshortening"));
-  model.base = base_of (rung, scene);
+  model.base = base_of (rung, scene, model.section);
 
   arrays = rod_arrays (model.base, model.section, model.shortening);
   if (scene.tip_mass > 0)
@@ -32,7 +32,7 @@ function model = build_model (scene, rung)
   model.whole_coupling_vector = arrays.coupling_vector;
 
   N1 = numel (model.base.longitudinal);
-  model.basis = rung_basis (rung, arrays, N1, ! isempty (scene.rotation));
+  model.basis = rung_basis (rung, arrays, model.base, ! isempty (scene.rotation));
   model.arrays = project_arrays (arrays, model.basis);
   model.followers = [];
   if (strcmp (rung.axial, "quasistatic"))
@@ -51,14 +51,31 @@ function [along, across] = at (base, station, derivative)
   across = across.';
 endfunction
 
-function base = base_of (rung, scene)
+function base = base_of (rung, scene, section)
   if (! isempty (rung.sines))
     base = base_functions (1:rung.sines(1), 1:rung.sines(2), scene.rod.length);
     return;
   endif
   sines = 1:30;
-  base = base_functions (sines(1:end*! strcmp (rung.axial, "none")), ...
-                         [sines, repmat(-1, 1, moment_at_O (scene))](1:end*(rung.bending > 0)), scene.rod.length);
+  along = across = [];
+  if (! strcmp (rung.axial, "none"))
+    along = [sines, elongation_numbers(forced_stations (scene), scene.rod, section)];
+  endif
+  if (rung.bending > 0)
+    across = [sines, repmat(-1, 1, moment_at_O (scene))];
+  endif
+  base = base_functions (along, across, scene.rod.length);
+endfunction
+
+## where forces act along the rod
+function stations = forced_stations (scene)
+  stations = [];
+  if (! isempty (scene.force))
+    stations = scene.force_station;
+  endif
+  if (scene.tip_mass > 0)
+    stations(end+1) = scene.rod.length;
+  endif
 endfunction
 
 function yes = moment_at_O (scene)

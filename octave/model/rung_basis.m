@@ -1,13 +1,17 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{basis} =} rung_basis (@var{rung}, @var{arrays}, @var{N1}, @var{clamped})
+## @deftypefn {} {@var{basis} =} rung_basis (@var{rung}, @var{arrays}, @var{base}, @var{clamped})
 ## The basis (N-by-n) of the amplitudes V = basis*q on a @var{rung}: the paper's sines as they are, or the lowest
-## eigenmodes of the linear system that the @var{arrays} make, the first @var{N1} of which are longitudinal.
+## eigenmodes of the linear system that the @var{arrays} of the @var{base} functions make.
+##
+## Of so many longitudinal functions the first are the elongations by forces that @var{base} has (see
+## @code{elongation_numbers}), less what the eigenmodes among the others have of them.
 ##
 ## The bending modes are those of the rod and phi together, free to turn, or with the tangent at O held where
 ## @var{clamped}.  Each has the largest amplitude 1.
 ## @end deftypefn
 
-function basis = rung_basis (rung, arrays, N1, clamped)
+function basis = rung_basis (rung, arrays, base, clamped)
+  N1 = numel (base.longitudinal);
   N = rows (arrays.mass_matrix);
   [i1, i2] = deal (1:N1, N1+1:N);
   dynamic = strcmp (rung.axial, "dynamic");
@@ -22,8 +26,16 @@ function basis = rung_basis (rung, arrays, N1, clamped)
   endif
   P = [eye(numel (i2)); phi_of_V.'];
   mass = P.'*[arrays.mass_matrix(i2,i2), coupling; coupling.', arrays.moment_of_inertia]*P;
-  along = lowest_modes (arrays.mass_matrix(i1,i1), arrays.stiffness_matrix(i1,i1), dynamic*rung.longitudinal);
+  along = longitudinal_modes_of (base, arrays.mass_matrix(i1,i1), arrays.stiffness_matrix(i1,i1), ...
+                                 dynamic*rung.longitudinal);
   basis = blkdiag (along, lowest_modes (mass, arrays.stiffness_matrix(i2,i2), rung.bending));
+endfunction
+
+function modes = longitudinal_modes_of (base, mass, stiffness, n)
+  elongations = eye (rows (mass))(:,base.longitudinal < 0)(:,1:min (n, end));
+  modes = lowest_modes (mass, stiffness, n - columns (elongations));
+  rest = elongations - modes*((modes.'*stiffness*modes) \ (modes.'*stiffness*elongations));
+  modes = [rest*lowest_modes(rest.'*mass*rest, rest.'*stiffness*rest, columns (rest)), modes];
 endfunction
 
 function modes = lowest_modes (mass, stiffness, n)
@@ -38,7 +50,7 @@ endfunction
 %!  base = base_functions ([], numbers, 1);
 %!  arrays = rod_arrays (base, section, 0);
 %!  arrays.slope_2 = functions_across (base);
-%!  B = rung_basis (rung, arrays, 0, true);
+%!  B = rung_basis (rung, arrays, base, true);
 %!  a = project_arrays (arrays, B);
 %!  mass = a.mass_matrix - a.coupling_vector*a.slope_2.' - a.slope_2*a.coupling_vector.' ...
 %!         + a.moment_of_inertia*a.slope_2*a.slope_2.';
@@ -54,3 +66,17 @@ endfunction
 %! deviation = @(numbers) clamped_frequencies (rung, section, numbers)./[1.875104; 4.694091].^2 - 1;
 %! assert (abs (deviation ([1:30, -1])) < 2e-6);
 %! assert (deviation (1:30)(1) > 1e-2);
+%!test # elongation by a force at the tip, whatever the number of functions: F l/EA; and they are orthogonal
+%! section = struct ("rhoA", 3, "rhoI", 0, "EA", 5, "EI", 7, "GI", 0);
+%! base = base_functions ([1:30, -1], [], 2);
+%! for n = [1 2 9 31]
+%!   rung = struct ("sines", [], "bending", 0, "longitudinal", n, "axial", "dynamic", "stiffening", "none");
+%!   arrays = rod_arrays (base, section, 0);
+%!   B = rung_basis (rung, arrays, base, false);
+%!   a = project_arrays (arrays, B);
+%!   assert (columns (B), n);
+%!   assert (a.stiffness_matrix, diag (diag (a.stiffness_matrix)), 1e-9*norm (a.stiffness_matrix));
+%!   assert (a.mass_matrix, diag (diag (a.mass_matrix)), 1e-9*norm (a.mass_matrix));
+%!   along = functions_at (base, [0.5; 2])*B;
+%!   assert (along*(a.stiffness_matrix \ along(2,:).'), [0.5; 2]/5, 1e-12);
+%! endfor

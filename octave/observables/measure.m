@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{history} =} measure (@var{system}, @var{model}, @var{times}, @var{states})
 ## What is observed at the frame times: a struct of 1-by-m rows t, phi, phi_dot, psi, tip_x, tip_y, T, U, Z, W, D,
 ## balance (T + U + Z + D - W, constant) and torque (of a hub, else empty), and the coordinates q (n-by-m) and
-## amplitudes V (N-by-m) of all base functions, with their names V1_1, ..., V2_1, ... (V2_-1: the correction for a
-## moment at O).
+## amplitudes V (N-by-m) of all base functions, with their names V1_1, ..., V2_1, ... (see
+## @code{mode_names}).
 ## @end deftypefn
 
 function history = measure (system, model, times, states)
