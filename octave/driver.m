@@ -66,6 +66,6 @@ endfunction
 %! result = driver ("paper", "modes", [0 0], "output", "");
 %! assert (numel (result.history.t), 91);
 %! assert (result.history.t(end), 1.8);
-%! assert (result.summary.method, "ode45");
+%! assert (result.summary.method, "waveform");
 %!error <model.modes is "many": it takes "auto" or two numbers of modes \[N1 N2\]> driver ("paper", "modes", "many")
 %!error <"speed" is not an option: those are modes, solver, tolerance, size, output, pictures> driver ("paper", "speed", 3)

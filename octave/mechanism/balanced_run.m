@@ -2,9 +2,9 @@
 ## @deftypefn {} {[@var{history}, @var{count}, @var{warnings}] =} balanced_run (@var{scene}, @var{mechanism}, @
 ##   @var{trial})
 ## What @code{run_mechanism} has of a scene's @var{mechanism}, or the run that is in the @var{trial} (see
-## @code{mechanism_trial}; []: none), where its energy balance is within 1e-7 of the largest energy.  The solver "auto"
-## takes smaller tolerances, up to three times, until it is: implicit methods damp what their steps pass over, small as
-## its way may be.
+## @code{mechanism_trial}; []: none), where its energy balance is within 1e-7 of what changes (see @code{energy_error}).
+## The solver "auto" takes smaller tolerances, up to three times, until it is: implicit methods damp what their steps
+## pass over, small as its way may be.
 ## @end deftypefn
 
 function [history, count, warnings] = balanced_run (scene, mechanism, trial = [])

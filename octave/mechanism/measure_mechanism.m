@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{history} =} measure_mechanism (@var{system}, @var{times}, @var{states})
 ## What is observed of a mechanism at the frame times: a struct of 1-by-m rows t, T, U, Z, W, D, balance (T + U + Z +
-## D - W, constant), lambda (constraints-by-m), markers (x, y: markers-by-m), residual and velocity_residual (the
+## D - W, constant), energy_floor (J), lambda (constraints-by-m), markers (x, y: markers-by-m), residual and velocity_residual (the
 ## largest of all constraints, 1-by-m) and bodies (a struct array of phi, phi_dot, x, y, tip_x, tip_y (1-by-m),
 ## V (N-by-m) and V_names).
 ## @end deftypefn
@@ -12,6 +12,8 @@ function history = measure_mechanism (system, times, states)
   E = system.energies (states.q, states.v, at);
   history = struct ("t", times, "T", E(1,:), "U", E(2,:), "Z", E(3,:), "W", states.W, "D", states.D);
   history.balance = sum (E, 1) + states.D - states.W;
+  inertia = sum (cellfun (@(model) model.arrays.moment_of_inertia, mechanism.models));
+  history.energy_floor = energy_floor (inertia, system.duration);
   history.lambda = states.lambda;
   history.markers = struct ("x", at.markers.x, "y", at.markers.y);
   history.residual = max ([abs(at.constraints.residual); zeros(1, numel (times))], [], 1);

@@ -31,12 +31,8 @@ function summary = summarise_mechanism (name, scene, mechanism, choice, count, h
   summary.largest_energy_error = max (energy_error (history));
   summary.largest_constraint_residual = max (history.residual);
   summary.largest_constraint_velocity = max (history.velocity_residual);
-  summary.warnings = warnings;
-  if (summary.largest_energy_error > 1e-3)
-    summary.warnings{end+1} = sprintf (["the energy balance is off by %.1g of the largest energy: take a smaller" ...
-                                        " tolerance"], summary.largest_energy_error);
-  endif
-  summary.warnings = [summary.warnings, large_deflections(scene, mechanism, history)];
+  summary.warnings = [warnings, energy_warning(summary.largest_energy_error, 1e-3), ...
+                      large_deflections(scene, mechanism, history)];
 endfunction
 
 ## the rods' bending is linear: it holds for small slopes

@@ -33,20 +33,12 @@ function summary = summarise (name, scene, model, choice, count, history)
   summary.rate_calls = count.calls;
   summary.frames = numel (history.t);
   summary.largest_energy_error = max (energy_error (history));
-  summary.warnings = [choice.warnings, energy_warning(summary.largest_energy_error), ...
+  summary.warnings = [choice.warnings, energy_warning(summary.largest_energy_error, 1e-3), ...
                       error_warning(summary), validity_warnings(scene, model, history)];
 endfunction
 
 function modes = mode_numbers (rung)
   modes = [rung.longitudinal, rung.bending];
-endfunction
-
-function warnings = energy_warning (relative)
-  warnings = {};
-  if (relative > 1e-3)
-    warnings = {sprintf("the energy balance is off by %.1g of the largest energy: take a smaller tolerance", ...
-                        relative)};
-  endif
 endfunction
 
 function warnings = error_warning (summary)

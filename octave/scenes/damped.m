@@ -12,7 +12,6 @@ function scene = damped ()
   scene.moment_breaks = 0.1;
   scene.duration = 0.5;
   scene.frames_per_second = 200;
-  scene.solver.name = "auto";
 endfunction
 
 %!assert (damped ().rod.damping, 1e-4)

@@ -18,7 +18,6 @@ function scene = paper ()
   scene.initial.phi = -pi/6;
   scene.duration = 1.8;
   scene.zoom = 300;
-  scene.solver.name = "ode45";
 endfunction
 
 %!test # the moment stops at 0.3 s

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{history} =} measure_surface (@var{system}, @var{scene}, @var{times}, @var{states})
 ## What is observed of a rod on a surface at the @var{times} (1-by-m): t, tip (3-by-m, m), q (N-by-m) with q_names, T,
-## U, Z, W, D (0) and balance (J), angular_momentum about the origin (3-by-m), reaction (p-by-m, N/m, see
+## U, Z, W, D (0), balance and energy_floor (J), angular_momentum about the origin (3-by-m), reaction (p-by-m, N/m, see
 ## @code{normal_reaction}), and the centreline x, y, z (101-by-m, m) with the unit normals n_1, n_2, n_3 there.
 ## @end deftypefn
 
@@ -17,6 +17,7 @@ function history = measure_surface (system, scene, times, states)
   history.W = states(2*n+1,:);
   history.D = zeros (size (times));
   history.balance = history.T + history.U + history.Z - history.W;
+  history.energy_floor = energy_floor (scene.rod.rhoA*scene.rod.length^3/3, scene.duration);
   history.reaction = normal_reaction (system, z, z_dot);
   stations = linspace (0, scene.rod.length, 101).';
   fields = system.fields (z, z_dot, z_dot, stations);

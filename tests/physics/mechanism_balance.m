@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{energy}, @var{place}, @var{speed}] =} mechanism_balance (@var{scene}, @var{duration})
 ## A shipped mechanism's @var{scene} as @code{driver} runs it, with its own settings, for so long (s; its own without):
-## how far the @var{energy} balance is off at worst, as a part of the largest energy, and the largest residual of
+## how far the @var{energy} balance is off at worst, as a part of what changes, and the largest residual of
 ## a constraint in @var{place} (m or rad) and in @var{speed} (m/s or rad/s) at any output time.
 ## @end deftypefn
 
