@@ -15,7 +15,7 @@ function modal = modal_form (system, stiffness)
   squares = max (squares, 0);
   damping = zeros (n, 1);
   if (isfield (system, "damping_matrix"))
-    damping = diag (X \ (system.mass \ (system.damping_matrix*X)));
+    damping = reshape (diag (X \ (system.mass \ (system.damping_matrix*X))), n, 1);  # of a rigid rod: 0-by-1
   endif
   modal = struct ("n", n, "omega", sqrt (squares), "damping", damping, "X", X);
   [position, velocity] = deal (1:n, n+1:2*n);
@@ -41,3 +41,9 @@ endfunction
 %! assert (modal.state (modal.form (y)), y, 1e-14);
 %! assert (modal.remainder (0, modal.form (y)), [0; 0; 0; 0; 1], 1e-14);
 %! assert (modal.omega(1), 0, 1e-7);
+%!test # a rigid rod in a hub has no modes, whatever its material dissipates
+%! system = struct ("mass", [], "damping_matrix", [], "velocity_matrix", [], "initial_state", [0; 0]);
+%! system.rate = @(t, y) [1; 0];
+%! modal = modal_form (system, []);
+%! assert (modal.omega, zeros (0, 1)); assert (modal.damping, zeros (0, 1));
+%! assert (modal.remainder (0, [5; 6]), [1; 0]);

@@ -48,8 +48,9 @@ endfunction
 
 function warnings = locked (scene, system)
   warnings = {};
-  driven = any (cellfun (@(kind) ! isempty (kind), {system.mechanism.constraints.kinds.moving}));
-  if (system.n == system.constraint_count && ! driven)
+  kinds = system.mechanism.constraints.kinds;
+  driven = arrayfun (@(kind) ! isempty (kind.moving), kinds);
+  if (system.n == system.constraint_count && ! any (driven))
     warnings = {sprintf("the mechanism is locked: %d constraints on %d coordinates, and no joint is driven", ...
                         system.constraint_count, system.n)};
   endif
@@ -94,6 +95,15 @@ endfunction
 %!error <[0-9] of 9 constraints depend on the others, those of .*: take a joint of another kind there, or none>
 %! scene = bars (0.7); scene.joints{5} = struct ("kind", "slider", "bodies", 3, "stations", 0, "point", [0.6 0]);
 %! assembled (scene);
+%!test # springs, bushings and loads alone hold it, or nothing does: it has no constraints
+%! scene = setfield (bars (0.7), "joints", {});
+%! [start, warnings] = assembled (scene);
+%! assert (start.q, [0; 0; 0; 0.5; 0; 0; 1.5; 0; 0]);
+%! assert (warnings, strcat ({"body 1", "body 2", "body 3"}, " hangs on nothing: no joints lead from it to the ground"));
+%! scene.bodies = scene.bodies(1);
+%! scene.joints = {struct("kind", "bushing", "bodies", 1, "stations", 0, "stiffness", 3)};
+%! [start, warnings] = assembled (scene);
+%! assert (isempty (warnings));
 %!test # what hangs on nothing, and what cannot move
 %! scene = bars (0.7); scene.joints(4) = [];
 %! scene.joints(1) = [];
