@@ -1,5 +1,5 @@
-# The functions of Maxima that Octave has: Maxima's name, Octave's, number of arguments (n: at least one). Where Octave's
-# mean something else the generated file brings its own, see local_functions.awk.
+# The functions of Maxima that Octave has: Maxima's name, Octave's, number of arguments (n: at least one). Where
+# Octave's mean something else the generated file brings its own, see local_functions.awk.
 
 BEGIN {
   define_functions("sin cos tan sec csc cot asin acos atan asec acsc acot" \

@@ -8,7 +8,7 @@ BEGIN {
     "  y = round (x) - sign (x) .* (abs (rem (x, 2)) == 0.5);\n" \
     "endfunction")
   define_local("real_power", \
-    "## x^(p/q). Of a negative x it is real, as in Maxima, where p and q are whole numbers and p/q has an odd denominator.\n" \
+    "## x^(p/q). Of a negative x it is real, as in Maxima, where p/q is a fraction with an odd denominator.\n" \
     "function y = real_power (x, p, q)\n" \
     "  is_fraction = p == fix (p) & q == fix (q);\n" \
     "  p = merge (is_fraction, p, 1);\n" \
@@ -49,7 +49,7 @@ function define_local(name, text)
 
 function bessel_function(name, octave)
 {
-  return "## The Bessel function of whole order is real below 0, too; " octave " leaves a rounding error beside it.\n" \
+  return "## Of whole order it is real below 0, too, where " octave " leaves an imaginary rounding error.\n" \
     "function y = " name " (order, x)\n" \
     "  y = " octave " (order, x);\n" \
     "  y = merge (order == fix (order) & imag (x) == 0, real (y), y);\n" \
@@ -58,7 +58,7 @@ function bessel_function(name, octave)
 
 function repeated_function(name, meaning, start, operator)
 {
-  return "## The " meaning " of term (k) for k = first, first + 1, ... up to last; of no terms it is " start ".\n" \
+  return "## The " meaning " of term (k) for k = first, first + 1, ... up to last; " start " if there are none.\n" \
     "function y = " name " (term, first, last)\n" \
     "  y = " start ";\n" \
     "  for k = first:last\n" \

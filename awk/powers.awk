@@ -1,6 +1,6 @@
-# Powers. Maxima has the real root of a negative number where the exponent is a fraction with an odd denominator; Octave
-# has a complex one. So an exponent that may be such a fraction goes to real_power (local_functions.awk) as two whole
-# numbers; an even denominator, or a float, stays as it is in both.
+# Powers. Maxima has the real root of a negative number where the exponent is a fraction with an odd denominator,
+# Octave a complex one. So an exponent that may be such a fraction goes to real_power (local_functions.awk) as two
+# whole numbers; an even denominator, or a float, stays as it is in both.
 
 function power_node(base, exponent)
 {

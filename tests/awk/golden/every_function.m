@@ -70,7 +70,7 @@ function y = round_half_even (x)
   y = round (x) - sign (x) .* (abs (rem (x, 2)) == 0.5);
 endfunction
 
-## x^(p/q). Of a negative x it is real, as in Maxima, where p and q are whole numbers and p/q has an odd denominator.
+## x^(p/q). Of a negative x it is real, as in Maxima, where p/q is a fraction with an odd denominator.
 function y = real_power (x, p, q)
   is_fraction = p == fix (p) & q == fix (q);
   p = merge (is_fraction, p, 1);
@@ -98,19 +98,19 @@ function y = log_gamma (x)
   y = real (gammaln (x)) + 1i*pi * min (floor (x), 0);
 endfunction
 
-## The Bessel function of whole order is real below 0, too; besselj leaves a rounding error beside it.
+## Of whole order it is real below 0, too, where besselj leaves an imaginary rounding error.
 function y = bessel_j (order, x)
   y = besselj (order, x);
   y = merge (order == fix (order) & imag (x) == 0, real (y), y);
 endfunction
 
-## The Bessel function of whole order is real below 0, too; besseli leaves a rounding error beside it.
+## Of whole order it is real below 0, too, where besseli leaves an imaginary rounding error.
 function y = bessel_i (order, x)
   y = besseli (order, x);
   y = merge (order == fix (order) & imag (x) == 0, real (y), y);
 endfunction
 
-## The sum of term (k) for k = first, first + 1, ... up to last; of no terms it is 0.
+## The sum of term (k) for k = first, first + 1, ... up to last; 0 if there are none.
 function y = sum_of (term, first, last)
   y = 0;
   for k = first:last
@@ -118,7 +118,7 @@ function y = sum_of (term, first, last)
   endfor
 endfunction
 
-## The product of term (k) for k = first, first + 1, ... up to last; of no terms it is 1.
+## The product of term (k) for k = first, first + 1, ... up to last; 1 if there are none.
 function y = product_of (term, first, last)
   y = 1;
   for k = first:last
