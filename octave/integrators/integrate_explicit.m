@@ -36,7 +36,7 @@ endfunction
 function [states, steps] = solve (ode, system, rate, times, y, solver, scale, first_step)
   ## with two times they keep every step, in arrays that they grow one by one
   requested = unique ([times, mean(times)]);
-  options = odeset ("RelTol", max (solver.tolerance, 100*eps), "AbsTol", max (solver.tolerance*scale, realmin), ...
+  options = odeset ("RelTol", 100*eps, "AbsTol", max (solver.tolerance*scale, realmin), ...
                     "InitialStep", first_step, "MaxStep", times(end) - times(1));
   if (isfield (solver, "step") && ! isempty (solver.step))
     options = odeset ("RelTol", 1e100, "AbsTol", 1e100, "InitialStep", solver.step, "MaxStep", solver.step);

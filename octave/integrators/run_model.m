@@ -10,11 +10,14 @@
 function [history, count] = run_model (scene, model, choice)
   solver = scene.solver;
   system = rod_system (scene, model);
-  if (! isempty (choice.trial) && any (strcmp (solver.name, {"auto", choice.trial.count.method})))
-    [history, count] = deal (choice.trial.history, choice.trial.count);
-  else
-    solver.tolerance /= [1, 4](1 + ! isempty (choice.trial));
+  if (isempty (choice.trial))
     [history, count] = run_with (scene, model, system, solver);
+  elseif (any (strcmp (solver.name, {"auto", choice.trial.count.method})))
+    history = choice.trial.history;
+    count = choice.trial.count;
+  else
+    solver.tolerance /= 4;
+    [history, count] = run_with (scene, model, with_work (system, choice.trial.history, solver.tolerance), solver);
   endif
   last = Inf;
   for attempt = 1:6*strcmp (solver.name, "auto")
