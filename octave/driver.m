@@ -8,8 +8,8 @@
 ## to write into (default output/NAME; "" writes nothing), and "pictures" (true or false) says whether there are to be
 ## more than history.csv and summary.json.
 ##
-## @var{result}, where it is asked for, has the fields scene, model, history and summary; of a scene of several bodies it is what
-## @code{simulate_mechanism} returns.
+## @var{result}, where it is asked for, has the fields scene, model, history and summary; of a scene of several bodies
+## it is what @code{simulate_mechanism} returns.
 ##
 ## @example
 ## result = driver ("paper", "modes", [0 4], "solver", "ode45", "tolerance", 1e-6);
@@ -68,4 +68,5 @@ endfunction
 %! assert (result.history.t(end), 1.8);
 %! assert (result.summary.method, "waveform");
 %!error <model.modes is "many": it takes "auto" or two numbers of modes \[N1 N2\]> driver ("paper", "modes", "many")
-%!error <"speed" is not an option: those are modes, solver, tolerance, size, output, pictures> driver ("paper", "speed", 3)
+%!error <"speed" is not an option: those are modes, solver, tolerance, size, output, pictures>
+%! driver ("paper", "speed", 3);

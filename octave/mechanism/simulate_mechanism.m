@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{result} =} simulate_mechanism (@var{scene}, @var{name}, @var{output}, @var{command})
 ## Simulate a @var{scene} of several bodies and leave history, summary and pictures where @var{output} (see
-## @code{take_options}) says, as @code{driver} does for one rod; @var{command} is what repeats it.  @var{result} has the
-## fields scene, mechanism, history and summary.
+## @code{take_options}) says, as @code{driver} does for one rod; @var{command} is what repeats it.  @var{result} has
+## the fields scene, mechanism, history and summary.
 ## @end deftypefn
 
 function result = simulate_mechanism (scene, name, output, command = "")

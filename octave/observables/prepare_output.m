@@ -8,7 +8,7 @@ function prepare_output (output, scene)
   if (isempty (output.folder))
     return;
   endif
-  publish_run (output.folder, {}, @(aside) 0);
+  require_folder (output.folder);
 endfunction
 
 %!error <cannot be made|can be written>

@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} record_failure (@var{output}, @var{name}, @var{scene}, @var{err})
 ## Leave in summary.json of the folder of @var{output} (see @code{take_options}) that a run's integration failed, when
-## and why: the field last_failure, which the next good run removes.  @var{err} is the error, of which others than those
-## of an integration leave nothing.  The other fields, like all other files, stay those of the last good run; without one there are
-## only the scene, its title and its solver.
+## and why: the field last_failure, which the next good run removes.  @var{err} is the error, of which others than
+## those of an integration leave nothing.  The other fields, like all other files, stay those of the last good run;
+## without one there are only the scene, its title and its solver.
 ## @end deftypefn
 
 function record_failure (output, name, scene, err)

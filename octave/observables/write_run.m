@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{summary} =} write_run (@var{output}, @var{scene}, @var{summary}, @var{start}, @
 ##   @var{write_table}, @var{draw})
-## All files of a run into the folder of @var{output} (see @code{take_options}), and what a person at the terminal wants
-## to know of it.  The numbers come first: history.csv by @var{write_table} (file), and summary.json.  Then come the
-## pictures of the drawing that @var{draw} () returns (see @code{draw_pictures}); what of them cannot be made is a
+## All files of a run into the folder of @var{output} (see @code{take_options}), and what a person at the terminal
+## wants to know of it.  The numbers come first: history.csv by @var{write_table} (file), and summary.json.  Then come
+## the pictures of the drawing that @var{draw} () returns (see @code{draw_pictures}); what of them cannot be made is a
 ## warning.  The summary comes back with that, and with the seconds of each part, those since @var{start} (a tic).
 ## @end deftypefn
 

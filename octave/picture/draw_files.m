@@ -2,7 +2,8 @@
 ## @deftypefn {} {@var{missing} =} draw_files (@var{folder}, @var{draw}, @var{files})
 ## Let each of the functions @var{draw} (cell array) start the jobs that draw the @var{files} (cellstr) in the
 ## @var{folder}: it takes a folder of its own for its data, beside the files, and returns jobs (see @code{start_tool}).
-## @var{missing} (n-by-2 cellstr) has each file that then is not there, or was not whole and is removed, and the reason.
+## @var{missing} (n-by-2 cellstr) has each file that then is not there, or was not whole and is removed, and the
+## reason.
 ## @end deftypefn
 
 function missing = draw_files (folder, draw, files)

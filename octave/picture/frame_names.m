@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{names}, @var{template}] =} frame_names (@var{numbers}, @var{most})
 ## The files of the frames with the @var{numbers} (1-by-n) of a run that has @var{most} of them, as a cellstr:
-## @file{frames/frame_0001.png} and on, with as many digits as the last one needs.  @var{template} is what makes them of
-## a number, for @code{sprintf} of whatever language.
+## @file{frames/frame_0001.png} and on, with as many digits as the last one needs.  @var{template} is what makes them
+## of a number, for @code{sprintf} of whatever language.
 ## @end deftypefn
 
 function [names, template] = frame_names (numbers, most)

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{text} =} gnuplot_settings (@var{settings})
-## The fields of the struct @var{settings} as variables of gnuplot: texts, numbers, and arrays of the texts or numbers of
-## a cell array (gnuplot has none without elements: it gets a 0 then); a field of two numbers, a range, gives the
+## The fields of the struct @var{settings} as variables of gnuplot: texts, numbers, and arrays of the texts or numbers
+## of a cell array (gnuplot has none without elements: it gets a 0 then); a field of two numbers, a range, gives the
 ## variables @var{name}_low and @var{name}_high.
 ## @end deftypefn
 

@@ -7,7 +7,8 @@
 ## @end deftypefn
 
 function table = conditioning (folder = "output", degrees = [1 30 90 180 300], sizes = [1 2 4 8 16 32])
-  table = zeros (0, 4);
+  require_folder (folder);
+  found = zeros (0, 4);
   printf ("%8s %4s %12s %12s\n", "degrees", "N", "Tisserand's", "tangent's");
   for angle = degrees
     rod = struct ("length", 1, "curvature", deg2rad (angle), "EA", 1e6, "EI", 10, "rhoA", 1);
@@ -16,11 +17,14 @@ function table = conditioning (folder = "output", degrees = [1 30 90 180 300], s
     for N = sizes
       [base, arrays] = curved_base (base_functions (1:N, 1:N, 1), scene.rod, section, "uniaxial");
       as_they_are = curved_arrays (rmfield (base, "turned"), base.axis, section, []);
-      table(end+1,:) = [angle, N, condition(arrays), condition(as_they_are)];
-      printf ("%8g %4d %12.3g %12.3g\n", table(end,:));
+      found(end+1,:) = [angle, N, condition(arrays), condition(as_they_are)];
+      printf ("%8g %4d %12.3g %12.3g\n", found(end,:));
     endfor
   endfor
-  publish_run (folder, {"conditioning.csv"}, @(aside) write (table, aside));
+  publish_run (folder, {"conditioning.csv"}, @(aside) write (found, aside));
+  if (nargout > 0)
+    table = found;
+  endif
 endfunction
 
 function c = condition (a)
@@ -34,6 +38,7 @@ function write (table, folder)
   write_text (fullfile (folder, "conditioning.csv"), ["degrees,N,Tisserand's frame,tangent's frame\n" text]);
 endfunction
 
+%!error <cannot be made|can be written> conditioning ("/proc/nowhere")
 %!test # the frame of Tisserand is the better one; the condition grows with the number of functions, no faster
 %! folder = tempname (); confirm_recursive_rmdir (false, "local");
 %! unwind_protect

@@ -1,17 +1,20 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{table} =} constrained_precision (@var{scene}, @var{folder}, @var{finest}, @var{sizes})
+## @deftypefn {} {[@var{table}, @var{write}, @var{draw}] =} constrained_precision (@var{scene}, @var{folder}, @
+##   @var{finest}, @var{sizes})
 ## The work-precision diagram of all integrators of mechanisms on a @var{scene} of several bodies: the error of all
 ## centrelines' ends and the constraints' drift over all frames against seconds, and the cost of chains beside it.
 ## The reference is `radau' at 1e-12 m, with which `ode15i' at 1e-9 m is compared.  What takes more than five minutes
 ## is given up; after what took 30 s nothing finer is tried.  Tolerances go from 1e-3 m to @var{finest}, steps from
-## 1/100 of the duration to its root; chains have @var{sizes} rods.  Leaves chart.csv, cost.csv, chart.svg and
-## chart.png in the @var{folder}; @var{table} is a struct array of method, parameter (tolerance in m, or step in s),
-## error (m), drift (m or rad), seconds, calls, failure.
+## 1/100 of the duration to its root; chains have @var{sizes} rods.  It is an error, before the work, where the
+## @var{folder} cannot be written.  @var{table} is a struct array of method, parameter (tolerance in m, or step in s),
+## error (m), drift (m or rad), seconds, calls, failure; @var{write} (folder) writes it, and @var{draw} (scratch) draws
+## it, see @code{publish_study}.
 ## @end deftypefn
 
-function table = constrained_precision (scene, folder, finest = 1e-9, sizes = [1 2 5 10 20 50])
+function [table, write, draw] = constrained_precision (scene, folder, finest = 1e-9, sizes = [1 2 5 10 20 50])
   scene = check_mechanism (scene);
   scene.solver.tolerance = mechanism_tolerance (scene);
+  require_folder (folder);
   mechanism = choose_mechanism (scene);
   system = mechanism_system (scene, mechanism);
   start = assemble_mechanism (scene, mechanism, system);
@@ -48,9 +51,8 @@ function table = constrained_precision (scene, folder, finest = 1e-9, sizes = [1
     endfor
   endfor
   cost = chain_cost (sizes);
-  publish_run (folder, {"chart.csv", "cost.csv", "chart.svg", "chart.png"}, ...
-               @(aside) write_constrained_chart (table, cost, scene, aside));
-  printf ("%s/ has chart.csv, cost.csv, chart.svg, chart.png\n", folder);
+  write = @(aside) write_constrained_chart (table, cost, aside);
+  draw = @(scratch) draw_constrained_chart (table, cost, scene, scratch);
 endfunction
 
 function found = one_run (system, times, start, name, parameter, seconds)
@@ -78,10 +80,10 @@ endfunction
 %! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
 %! folder = tempname (); confirm_recursive_rmdir (false, "local");
 %! unwind_protect
-%!   evalc ("table = constrained_precision (scene, folder, 1e-5, [1 2]);");
+%!   evalc ("[table, ~, draw] = constrained_precision (scene, folder, 1e-5, [1 2]);");
 %!   assert (all (cellfun (@isempty, {table.failure})));
 %!   assert (max ([table.error]) < 1e-3);
-%!   assert (exist (fullfile (folder, "chart.png"), "file"), 2);
+%!   assert (draw_files (folder, {draw}, {"chart.svg", "chart.png"}), cell (0, 2));
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");
 %! end_unwind_protect

@@ -1,16 +1,17 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{table} =} convergence_ladder (@var{scene}, @var{folder})
+## @deftypefn {} {[@var{table}, @var{scene}] =} convergence_ladder (@var{scene}, @var{folder})
 ## The convergence of a mechanism or a curved rod in its modes: centrelines with N1 + N2 modes a rod against those with
-## the most, at a fiftieth of the scene's tolerance.  Prints a table, and leaves models.csv, models.svg and models.png
-## in the @var{folder}; @var{table} is like that of @code{model_ladder}.
+## the most, at a fiftieth of the scene's tolerance.  Prints a table; @var{table} is like that of @code{model_ladder},
+## and the @var{scene} comes back checked.  It is an error, before the work, where the @var{folder} cannot be written.
 ## @end deftypefn
 
-function table = convergence_ladder (scene, folder)
+function [table, scene] = convergence_ladder (scene, folder)
   if (isfield (scene, "bodies"))
     [trial, sizes, scene] = mechanism_trials (scene);
   else
     [trial, sizes, scene] = curved_trials (scene);
   endif
+  require_folder (folder);
   trials = cellfun (trial, sizes, "uniformoutput", false);
   table = struct ([]);
   for k = 1:numel (sizes) - 1
@@ -23,8 +24,6 @@ function table = convergence_ladder (scene, folder)
     printf ("  %-10s %10.3g m %8.2f s, tip of the last rod at the end %.8f %.8f m\n", label, error_m, ...
             t.count.seconds, t.x(end,end), t.y(end,end));
   endfor
-  publish_run (folder, {"models.csv", "models.svg", "models.png"}, @(aside) write_ladder (table, scene, aside));
-  printf ("%s/ has models.csv, models.svg, models.png\n", folder);
 endfunction
 
 function [trial, sizes, scene] = mechanism_trials (scene)

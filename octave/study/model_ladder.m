@@ -14,13 +14,23 @@
 
 function table = model_ladder (scene = "paper", varargin)
   [scene, name] = load_scene (scene);
-  [scene, folder] = take_options (scene, fullfile ("output", name), varargin);
+  [scene, output] = take_options (scene, fullfile ("output", name), varargin);
+  ladder = @ladder_of_rungs;
   if (isfield (scene, "bodies") || (isfield (scene, "rod") && isfield (scene.rod, "curvature")))
-    table = convergence_ladder (scene, folder);
-    return;
+    ladder = @convergence_ladder;
   endif
+  [found, scene] = ladder (scene, output.folder);
+  publish_study (output, {"models.csv"}, {"models.svg", "models.png"}, @(aside) write_ladder (found, aside), ...
+                 @(scratch) draw_ladder (found, scene, scratch));
+  if (nargout > 0)
+    table = found;
+  endif
+endfunction
+
+function [table, scene] = ladder_of_rungs (scene, folder)
   scene = check_scene (scene);
   scene.solver.tolerance = tolerance_in_metres (scene);
+  require_folder (folder);
   choice = choose_model (setfield (scene, "model", "modes", "auto"));
   rich = struct ("sines", [], "bending", 30, "longitudinal", 30, "axial", "dynamic", "stiffening", "foreshortening");
   richest = reference = trial_run (setfield (scene, "solver", "tolerance", scene.solver.tolerance/50), rich);
@@ -46,8 +56,6 @@ function table = model_ladder (scene = "paper", varargin)
     [row.model, row.label] = deal ("geometrically exact, 12 + 12 polynomials", "exact");
     table = add (table, row);
   endif
-  publish_run (folder, {"models.csv", "models.svg", "models.png"}, @(aside) write_ladder (table, scene, aside));
-  printf ("%s/ has models.csv, models.svg, models.png\n", folder);
 endfunction
 
 ## with 12 + 12 polynomials, and whether 9 + 9 are near it
@@ -104,6 +112,9 @@ function table = add (table, row)
           row.calls, {"", " <-"}{1 + row.chosen});
 endfunction
 
+%!error <cannot be made|can be written> model_ladder ("paper", "output", "/proc/nowhere")
+%!error <cannot be made|can be written> model_ladder ("chain(20)", "output", "/proc/nowhere")
+%!error <cannot be made|can be written> model_ladder ("hook", "output", "/proc/nowhere")
 %!test # a rigid rod is enough, and the table has it
 %! folder = tempname (); confirm_recursive_rmdir (false, "local");
 %! unwind_protect

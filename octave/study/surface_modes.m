@@ -8,6 +8,7 @@
 
 function table = surface_modes (scenes = {"large_swing", "cylinder", "bowl", "saddle"}, numbers = [4 6 8 10 12 14], ...
                                 folder = "output")
+  require_folder (folder);
   for i = 1:numel (scenes)
     scene = feval (scenes{i});
     scene.duration = min (scene.duration, 0.3);
@@ -16,11 +17,16 @@ function table = surface_modes (scenes = {"large_swing", "cylinder", "bowl", "sa
       scene.solver.tolerance = 1e-5;
       histories{k} = driver (scene, "output", "").history;
     endfor
-    table(i,:) = cellfun (@(history) apart (history, histories{end}), histories(1:end-1));
-    printf ("%-12s%s\n", scenes{i}, sprintf ("%10.2g", table(i,:)));
+    found(i,:) = cellfun (@(history) apart (history, histories{end}), histories(1:end-1));
+    printf ("%-12s%s\n", scenes{i}, sprintf ("%10.2g", found(i,:)));
   endfor
-  publish_run (folder, strcat ("surface_modes", {".csv", ".svg", ".png"}), ...
-               @(aside) write (table, scenes, numbers(1:end-1), aside));
+  publish_study (struct ("folder", folder, "pictures", true), {"surface_modes.csv"}, ...
+                 {"surface_modes.svg", "surface_modes.png"}, ...
+                 @(aside) write (found, scenes, numbers(1:end-1), aside), ...
+                 @(scratch) draw (found, scenes, numbers(1:end-1), scratch));
+  if (nargout > 0)
+    table = found;
+  endif
 endfunction
 
 function off = apart (a, b)
@@ -32,15 +38,15 @@ function write (table, scenes, numbers, folder)
   lines = cellfun (@(name, k) [name sprintf(",%.17g", table(k,:))], scenes, num2cell (1:numel (scenes)), ...
                    "uniformoutput", false);
   write_text (fullfile (folder, "surface_modes.csv"), [strjoin([header, lines], "\n") "\n"]);
-  scratch = fullfile (folder, "scratch");
-  mkdir (scratch);
-  write_text (fullfile (scratch, "settings.gp"), [gnuplot_settings(struct ("names", {scenes})), ...
-                                                  gnuplot_block("modes", {[numbers; table].'})]);
-  finish_tool (start_gnuplot (scratch, "surface_modes.gp"));
-  confirm_recursive_rmdir (false, "local");
-  rmdir (scratch, "s");
 endfunction
 
+function job = draw (table, scenes, numbers, scratch)
+  write_text (fullfile (scratch, "settings.gp"), [gnuplot_settings(struct ("names", {scenes})), ...
+                                                  gnuplot_block("modes", {[numbers; table].'})]);
+  job = start_gnuplot (scratch, "surface_modes.gp");
+endfunction
+
+%!error <cannot be made|can be written> surface_modes ({"saddle"}, [3 4], "/proc/nowhere")
 %!test # it falls with the number of modes
 %! folder = tempname (); confirm_recursive_rmdir (false, "local");
 %! unwind_protect

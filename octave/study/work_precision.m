@@ -15,12 +15,22 @@
 
 function table = work_precision (scene = "paper", varargin)
   [scene, name] = load_scene (scene);
-  [scene, folder] = take_options (scene, fullfile ("output", name), varargin);
+  [scene, output] = take_options (scene, fullfile ("output", name), varargin);
+  measure_all = @precision_of_rod;
   if (isfield (scene, "bodies"))
-    table = constrained_precision (scene, folder);
-    return;
+    measure_all = @constrained_precision;
   endif
+  [found, write, draw] = measure_all (scene, output.folder);
+  publish_study (output, {"chart.csv", "cost.csv"}, {"chart.svg", "chart.png"}, write, draw);
+  if (nargout > 0)
+    table = found;
+  endif
+endfunction
+
+## the table, and what writes it into a folder and draws it
+function [table, write, draw] = precision_of_rod (scene, folder)
   scene = check_scene (scene);
+  require_folder (folder);
   ladder = ladder_of (scene);
   if (ischar (scene.model.modes))
     scene.model.modes = [7 7];
@@ -38,7 +48,7 @@ function table = work_precision (scene = "paper", varargin)
       parameters = 10.^(-2:-0.5:-6);
     endif
     for parameter = parameters
-      row = point (scene, model, system, method, parameter, reference, 20/(1 - whole (method, parameter)));
+      row = precision_point (scene, model, system, method, parameter, reference, 20/(1 - whole (method, parameter)));
       table = [table, row];
       report (row);
       if (strncmp (row.failure, "given up", 8) || (row.extrapolated && parameter < 2e-6))
@@ -47,9 +57,8 @@ function table = work_precision (scene = "paper", varargin)
     endfor
   endfor
   table = [table, literal_rows(scene, table)];
-  publish_run (folder, {"chart.csv", "cost.csv", "chart.svg", "chart.png"}, ...
-               @(aside) write_chart (table, ladder, cost, scene, aside));
-  printf ("%s/ has chart.csv, cost.csv, chart.svg, chart.png\n", folder);
+  write = @(aside) write_chart (table, cost, aside);
+  draw = @(scratch) draw_chart (table, ladder, cost, scene, scratch);
 endfunction
 
 function reference = reference_run (scene, model, system)
@@ -57,72 +66,11 @@ function reference = reference_run (scene, model, system)
   states = @(name, tolerance) integrate (system, times, struct ("name", name, "tolerance", tolerance));
   at = @(name, tolerance) measure (system, model, times, states (name, tolerance));
   [reference, other] = deal (at ("waveform", 1e-10), at ("exponential", 2e-11));
-  [tip, phi] = errors (other, reference);
+  [tip, phi] = precision_errors (other, reference);
   printf ("  reference: waveform and exponential differ by %.2g m and %.2g rad\n", tip, phi);
   if (max (tip, phi) > 1e-10)
     printf ("warning: the reference is good to %.1g only\n", max (tip, phi));
   endif
-endfunction
-
-## of the tip and of the hinge angle, over the frames that a run has
-function [tip, phi] = errors (history, reference)
-  k = 1:numel (history.t);
-  tip = max (hypot (history.tip_x - reference.tip_x(k), history.tip_y - reference.tip_y(k)));
-  phi = max (abs (history.phi - reference.phi(k)));
-endfunction
-
-function row = point (scene, model, system, method, parameter, reference, budget)
-  solver = struct ("name", method.name, "tolerance", parameter, "step", [], "rho_infinity", scene.solver.rho_infinity);
-  if (! method.adaptive)
-    solver.step = parameter;
-  endif
-  row = struct ("method", method.name, "parameter", parameter, "tip_error", NaN, "phi_error", NaN, "seconds", 0, ...
-                "calls", 0, "extrapolated", false, "failure", "");
-  times = frame_times (scene);
-  first = find (times > times(end)*0.02, 1);
-  start = tic ();
-  try
-    [~, trial] = integrate (system, times(1:first), solver);
-    part = numel (times);
-    if (trial.seconds*times(end)/times(first) > budget)
-      part = find (times <= times(end)*budget/(trial.seconds*times(end)/times(first)), 1, "last");
-      part = max (part, first);
-    endif
-    limited = given_up (system, 10*budget);
-    [states, count] = integrate (limited, times(1:part), solver);
-    for repeat = 1:2*(count.seconds(1) < 1)
-      [~, again] = integrate (system, times(1:part), solver);
-      count.seconds(end+1) = again.seconds;
-    endfor
-    history = measure (system, model, times(1:part), states);
-    [row.tip_error, row.phi_error] = errors (history, reference);
-    row.seconds = median (count.seconds)*times(end)/times(part);
-    row.calls = round (count.calls*times(end)/times(part));
-    row.extrapolated = part < numel (times);
-    if (! row.extrapolated)  # the balance of a part is not small against its energy
-      watch_balance (history, system, count);
-    endif
-  catch err
-    if (! strcmp (err.identifier, "toolchain:integration"))
-      rethrow (err);
-    endif
-    row.failure = strtrim (err.message);
-    row.seconds = max (row.seconds, toc (start));
-  end_try_catch
-endfunction
-
-## the system with rates that end in an error once they have taken so many seconds
-function system = given_up (system, seconds)
-  if (isinf (seconds))
-    return;
-  endif
-  clock = tic ();
-  rate = system.rate;
-  system.rate = @(varargin) give_up (rate (varargin{:}), clock, seconds);
-  for form = intersect ({"momenta", "accelerations"}, fieldnames (system).')
-    form_rate = system.(form{1}).rate;
-    system.(form{1}).rate = @(varargin) give_up (form_rate (varargin{:}), clock, seconds);
-  endfor
 endfunction
 
 ## the calls of ode45 on the same equations, at the price of a literal call
@@ -160,3 +108,5 @@ function rows = ladder_of (scene)
 endfunction
 
 %!error <model.modes is "many": it takes> work_precision ("paper", "modes", "many")
+%!error <cannot be made|can be written> work_precision ("paper", "output", "/proc/nowhere")
+%!error <cannot be made|can be written> work_precision ("double_pendulum", "output", "/proc/nowhere")

@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} write_report (@var{folder}, @var{drawing}, @var{scene}, @var{summary})
 ## @file{report.html} in a @var{folder}, with @file{figure3.svg} and @file{history.svg} where they are there: one page
-## that needs no other file and no network, made of the files beside this one. It animates @var{drawing} (see @code{draw_pictures})
-## and tells what the @var{scene} and the @var{summary} (structs of any fields; see @code{summarise}) say.
+## that needs no other file and no network, made of the files beside this one. It animates @var{drawing} (see
+## @code{draw_pictures}) and tells what the @var{scene} and the @var{summary} (structs of any fields; see
+## @code{summarise}) say.
 ## @end deftypefn
 
 function write_report (folder, drawing, scene, summary)

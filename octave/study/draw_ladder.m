@@ -1,0 +1,42 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{job} =} draw_ladder (@var{table}, @var{scene}, @var{scratch})
+## The @var{table} of @code{model_ladder} as a chart, models.svg and models.png beside the folder @var{scratch}, which
+## takes the data.  They are there when @var{job} has ended (see @code{finish_tool}).
+## @end deftypefn
+
+function job = draw_ladder (table, scene, scratch)
+  drawn = spaced_labels (table(isfinite ([table.error_m]) & [table.error_m] > 0));
+  ode45 = strcmp ({drawn.method}, "ode45");
+  shortened = strcmp ({drawn.stiffening}, "foreshortening") & ! ode45;
+  selected = struct ("without", ! shortened & ! ode45, "shortened", shortened, "ode45", ode45, ...
+                     "chosen", [drawn.chosen]);
+  settings = struct ("title", ["Ladder of models: " scene.title], "tolerance", scene.solver.tolerance);
+  settings.title_size = min (18, 1300/numel (settings.title));
+  blocks = "";
+  for name = {"without", "shortened", "ode45", "chosen"}
+    settings.(name{1}) = sum (selected.(name{1}));
+    blocks = [blocks, points(name{1}, drawn(selected.(name{1})))];
+  endfor
+  write_text (fullfile (scratch, "settings.gp"), [gnuplot_settings(settings), blocks]);
+  job = start_gnuplot (scratch, "models.gp");
+endfunction
+
+function text = points (name, rows)
+  text = sprintf ("$%s << EOD\n", name);
+  for row = rows
+    text = [text, sprintf("%.9g %.9g \"%s\"\n", row.seconds, row.error_m, row.label)];
+  endfor
+  text = [text "EOD\n"];
+endfunction
+
+%!test
+%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   row = struct ("method", "exponential", "error_m", 1e-3, "seconds", 2, "label", "3", ...
+%!                 "stiffening", "foreshortening", "chosen", true);
+%!   scene = struct ("title", "it's a \"rod\" {1}", "solver", struct ("tolerance", 1e-2));
+%!   draw = {@(scratch) draw_ladder(row, scene, scratch)};
+%!   assert (draw_files (folder, draw, {"models.svg", "models.png"}), cell (0, 2));
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect

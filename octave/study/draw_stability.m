@@ -1,0 +1,46 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{job} =} draw_stability (@var{pictures}, @var{scratch})
+## The @var{pictures} of @code{stability} with the regions of stability, stability.svg and stability.png beside the
+## folder @var{scratch}, which takes the data.  They are there when @var{job} has ended (see @code{finish_tool}).
+## @end deftypefn
+
+function job = draw_stability (pictures, scratch)
+  text = "";
+  for method = {"rk4", "ode45", "ode23"}
+    text = [text, gnuplot_block([method{1} "_region"], {region(method{1})})];
+  endfor
+  system = free_rod ([7 7], struct ());
+  [~, squares] = free_modes (system.stiffness, system.mass);
+  omegas = sqrt (max (squares, 0));
+  marks = omegas(2:end)/omegas(end)*stability_limit ("rk4");
+  text = [text, gnuplot_block("marks", {[zeros(size (marks)), marks]})];
+  for [rows, name] = pictures
+    text = [text, gnuplot_block(name, {rows})];
+  endfor
+  write_text (fullfile (scratch, "settings.gp"), text);
+  job = start_gnuplot (scratch, "stability.gp");
+endfunction
+
+## where |R (z)| = 1
+function points = region (method)
+  [re, im] = meshgrid (linspace (-5, 2, 281), linspace (0, 5, 201));
+  c = contourc (re(1,:), im(:,1), abs (polyval (stability_function (method), re + 1i*im)), [1 1]);
+  points = zeros (0, 2);
+  while (! isempty (c))
+    points = [points; c(:,1+(1:c(2,1))).'; NaN NaN];
+    c(:,1:1+c(2,1)) = [];
+  endwhile
+endfunction
+
+%!test
+%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   pair = [1 1; 2 2];
+%!   wall = [1e-3 1 1e-4; 1e-4 0.5 1e-5];
+%!   pictures = struct ("damping", pair/3, "ode45_wall", wall, "ode23_wall", wall, "resonances", pair, ...
+%!                      "trigonometric", pair, "stormer_verlet", pair, "implicit_midpoint", pair);
+%!   draw = {@(scratch) draw_stability(pictures, scratch)};
+%!   assert (draw_files (folder, draw, {"stability.svg", "stability.png"}), cell (0, 2));
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect
