@@ -6,10 +6,16 @@ GENERATED ?= generated
 FILES = $(shell git ls-files 2>/dev/null || find . -type f -not -path './output/*' -not -path './.git/*')
 VERSION = 1.0
 
-export SCENE MODES SOLVER TOLERANCE SIZE OUTPUT PICTURES OCTAVE
-run_octave = $(OCTAVE) --no-gui --no-history --quiet
-derive_everything = maxima/derive "$(GENERATED)" "$(MODES_LITERAL)"
-derive_surface = maxima/derive_surface "$(or $(OUTPUT),output/surfaces)" "$(SURFACE)"
+# Paths reach the commands as they were typed, with $, # and quotes, and nothing of the user's own settings does.
+override SCENE := $(value SCENE)
+override OUTPUT := $(value OUTPUT)
+override SURFACE := $(value SURFACE)
+override GENERATED := $(value GENERATED)
+export SCENE MODES SOLVER TOLERANCE SIZE OUTPUT PICTURES OCTAVE SURFACE GENERATED
+unexport POSIXLY_CORRECT CDPATH
+run_octave = $(OCTAVE) --norc --no-gui --no-history --quiet
+derive_everything = maxima/derive "$$GENERATED" "$(MODES_LITERAL)"
+derive_surface = maxima/derive_surface "$${OUTPUT:-output/surfaces}" "$$SURFACE"
 
 .PHONY: help setup derive equations simulate models chart stability choices surfaces conditioning check fuzz clean dist
 
@@ -38,7 +44,7 @@ derive:
 	@$(if $(SURFACE),$(derive_surface),$(derive_everything))
 
 equations:
-	@maxima/write_equations "$(or $(OUTPUT),output)" "$(or $(MODES),2 2)"
+	@maxima/write_equations "$${OUTPUT:-output}" "$(or $(MODES),2 2)"
 
 simulate:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @driver; run_command'

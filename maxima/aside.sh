@@ -1,11 +1,14 @@
 # For derive and write_equations, which have set command, folder and modes ("N1 N2") and read this file: a folder
 # `aside' in `folder', gone at the end, and maxima_aside FILE STATEMENT to run Maxima with these modes. What it makes
 # there is moved out when whole: an interrupted command changes nothing, or leaves whole files.
+unset POSIXLY_CORRECT CDPATH  # where they are set gawk lacks arrays of arrays, and cd may print
 here=$(cd "$(dirname "$0")" && pwd)
+. "$here/strings.sh"
 
 printf '%s\n' "$modes" | grep -Eqx '[0-9]{1,3} +[0-9]{1,3}' || {
   echo "$command: MODES is two numbers of modes, for instance MODES=\"7 7\", not \"$modes\"" >&2; exit 1; }
 
+folder=$(user_path "$folder")
 mkdir -p "$folder"
 aside=$(mktemp -d "$folder/.$command-XXXXXX")
 trap 'rm -rf "$aside"' EXIT

@@ -11,14 +11,17 @@ function arguments = environment_options ()
   endif
   arguments = {scene};
   for name = {"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES"}
-    text = getenv (name{1});
-    if (! isempty (text))
-      arguments = [arguments, {tolower(name{1}), number_or_text(text)}];
+    value = getenv (name{1});
+    if (! any (strcmp (name{1}, {"SOLVER", "OUTPUT"})))
+      value = number_or_text (value);
+    endif
+    if (! isempty (value))
+      arguments = [arguments, {tolower(name{1}), value}];
     endif
   endfor
 endfunction
 
-## "7 7", "1920x1080" and "1e-6" are numbers, yes and no are true and false; names and folders are text
+## "7 7", "1920x1080" and "1e-6" are numbers, yes and no are true and false
 function value = number_or_text (text)
   if (any (strcmpi (text, {"yes", "no"})))
     value = strcmpi (text, "yes");
@@ -38,6 +41,8 @@ endfunction
 %!   setenv ("SOLVER", ""); setenv ("SIZE", "640x360"); setenv ("PICTURES", "no");
 %!   assert (environment_options (), {"paper", "modes", [0 4], "tolerance", 1e-6, "size", [640 360], ...
 %!                                    "output", "a folder", "pictures", false});
+%!   setenv ("OUTPUT", "2024");
+%!   assert (environment_options (){end-2}, "2024");  # a folder
 %! unwind_protect_cleanup
 %!   cellfun (@(name) setenv (name, ""), {"MODES", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES"});
 %! end_unwind_protect

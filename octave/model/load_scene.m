@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{scene}, @var{name}] =} load_scene (@var{which})
-## The scene of a function in octave/scenes/, by its name, or of a function file of one's own, by its path.
-## A struct is taken as it is; "chain(20)" calls the function with the number.
+## The scene of a function in octave/scenes/, by its name, or of a function file of one's own, by its path, which may
+## hold anything.  A struct is taken as it is; "chain(20)" calls the function with the number.
 ## @end deftypefn
 
 function [scene, name] = load_scene (which)
@@ -12,47 +12,115 @@ function [scene, name] = load_scene (which)
   elseif (! (ischar (which) && rows (which) == 1))
     scene_error ("a scene is a name, a path or a struct, not a %s", class (which));
   endif
-  [which, number] = strtok (which, "(");  # SCENE="chain(20)"
-  number = sscanf (number, "(%f)");
-  [folder, name, extension] = fileparts (which);
-  if (isempty (folder))
-    folder = shipped;
-    if (! isempty (extension))
-      folder = pwd ();
-    endif
-  endif
-  file = fullfile (make_absolute_filename (folder), [name ".m"]);
-  if (! exist (file, "file") || ! any (strcmp (extension, {"", ".m"})))
-    names = regexprep (glob (fullfile (shipped, "*.m")).', '.*[/\\](\w+)\.m$', '$1');
+  [file, numbers] = find_scene (which, shipped);
+  if (isempty (file))
+    names = regexp (readdir (shipped), '^\w+(?=\.m$)', "match", "once");
+    names = names(! cellfun (@isempty, names)).';
     scene_error ("no scene \"%s\": it is one of %s, or the path of a function file", which, strjoin (names, ", "));
-  elseif (! isvarname (name))
-    scene_error ("the scene's file %s needs the name of a function", file);
   endif
-  scene = evaluate (file, name, num2cell (number));
+  [~, name] = fileparts (file);
+  scene = evaluate (file, numbers);
 endfunction
 
-function scene = evaluate (file, name, arguments)
+## A path may hold parentheses: only what is no file is a name with numbers.
+function [file, numbers] = find_scene (text, shipped)
+  numbers = {};
+  file = file_of (text, shipped);
+  call = regexp (text, '^(.*?)\s*\(([^()]*)\)$', "tokens", "once");
+  if (isempty (file) && ! isempty (call))
+    file = file_of (call{1}, shipped);
+    numbers = num2cell (sscanf (call{2}, "%f,").');
+  endif
+endfunction
+
+## The absolute path of a scene's file, "" if there is none. A name alone is one of the shipped.
+function file = file_of (text, shipped)
+  [folder, name, extension] = fileparts (text);
+  if (isempty (folder) && isempty (extension))
+    folder = shipped;
+  endif
+  file = make_absolute_filename (fullfile (user_path (folder), [name ".m"]));
+  if (exist (file, "file") != 2 || ! any (strcmp (extension, {"", ".m"})))
+    file = "";
+  endif
+endfunction
+
+function scene = evaluate (file, numbers)
   before = path ();
+  aside = tempname ();
+  [folder, name] = fileparts (file);
+  warning ("off", "Octave:function-name-clash", "local");
   unwind_protect
-    addpath (fileparts (file));
-    clear (name);
-    scene = feval (name, arguments{:});
+    if (! any (folder == pathsep ()))
+      addpath (folder);
+    endif
+    if (! is_called_by (name, file))
+      name = copy_aside (file, aside);
+    endif
+    scene = feval (name, numbers{:});
   unwind_protect_cleanup
     path (before);
+    if (isfolder (aside))
+      confirm_recursive_rmdir (false, "local");
+      rmdir (aside, "s");
+    endif
   end_unwind_protect
+endfunction
+
+## Not every name can be called, and a name may mean a file of the working directory.
+function yes = is_called_by (name, file)
+  yes = isvarname (name);
+  if (yes)
+    clear (name);
+    yes = strcmp (which (name), file);
+  endif
+endfunction
+
+function name = copy_aside (file, aside)
+  name = "scene_by_its_path";
+  mkdir (aside);
+  write_text (fullfile (aside, [name ".m"]), fileread (file));
+  addpath (aside);
+  clear (name);
 endfunction
 
 %!assert (load_scene ("paper").duration, 1.8)
 %!assert (numel (load_scene ("chain(3)").bodies), 3)
 %!error <no scene "nowhere": it is one of arc_pendulum, .*paper,.*two_link_arm> load_scene ("nowhere")
 %!error <a scene is a name, a path or a struct, not a double> load_scene (3)
-%!test # a file of one's own, in a folder with a space
-%! folder = tempname (); mkdir (folder); own = fullfile (folder, "own scene"); mkdir (own);
+%!function check_path (folder, name, typed, calls = "")
+%!  ## the scene in the file FOLDER/NAME.m, read by what a user types in the folder's parent
+%!  before = pwd (); root = tempname (); mkdir (root); confirm_recursive_rmdir (false, "local");
+%!  unwind_protect
+%!    cd (root); mkdir (fullfile (root, folder));
+%!    write_text (fullfile (root, folder, [name ".m"]), ...
+%!                ["function s = rod (k = 4)\n s.duration = helper (k); s.moment = @(t) helper (t);\nend\n" ...
+%!                 "function k = helper (k)\nend\n"]);
+%!    write_text (fullfile (root, "rod.m"), "function s = rod ()\n s.duration = -1;\nend\n");
+%!    [scene, got] = load_scene ([typed calls]);
+%!    assert (scene.duration, 4 + 3 * ! isempty (calls)); assert (got, name);
+%!    assert (scene.moment (3), 3);
+%!  unwind_protect_cleanup
+%!    cd (before); rmdir (root, "s");
+%!  end_unwind_protect
+%!endfunction
+%!test # a folder of any name
+%! for folder = {"own scenes", "copy (2)", "chain(2)", "it's", "a\"b", "$HOME", "#1", "naïve →", "-eval", "~", "a:b", ...
+%!               "[x]*", "%d\\n", "{a,b}", "`x` & y; z", "trailing ", "dots.and..more"}
+%!   check_path (folder{1}, "rod", ["./" folder{1} "/rod.m"]);
+%!   check_path (folder{1}, "rod", ["./" folder{1} "/rod"], " (7)");
+%! endfor
+%!test check_path ("-eval", "rod", "-eval/rod.m", "(7)");
+%!test # a file of any name
+%! for name = {"rod (2)", "my-rod", "2nd", "it's $HOME", "-rod", "naïve", "a.b"}
+%!   check_path ("of mine", name{1}, ["of mine/" name{1} ".m"]);
+%! endfor
+%!test # ~ is home
+%! home = getenv ("HOME");
 %! unwind_protect
-%!   fid = fopen (fullfile (own, "my_rod.m"), "w");
-%!   fputs (fid, "function s = my_rod ()\n s.duration = 4;\nend\n"); fclose (fid);
-%!   [scene, name] = load_scene (fullfile (own, "my_rod.m"));
-%!   assert (scene.duration, 4); assert (name, "my_rod");
+%!   setenv ("HOME", "/nowhere/rods");
+%!   fail ("load_scene ('~/rod.m')", 'no scene "~/rod.m"');
+%!   setenv ("HOME", fileparts (which ("paper")));
 %! unwind_protect_cleanup
-%!   confirm_recursive_rmdir (false, "local"); rmdir (folder, "s");
+%!   setenv ("HOME", home);
 %! end_unwind_protect

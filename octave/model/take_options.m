@@ -15,7 +15,7 @@ function [scene, output] = take_options (scene, folder, options)
   for pair = reshape (options, 2, [])
     [name, value] = pair{:};
     if (strcmp (name, "output") && ischar (value))
-      output.folder = value;
+      output.folder = user_path (value);
     elseif (strcmp (name, "pictures"))
       if (! ((islogical (value) || isnumeric (value)) && isscalar (value) && any (value == [0 1])))
         scene_error ("driver: pictures is %s: it takes true or false, PICTURES=yes or no", disp_name (value));
@@ -38,6 +38,7 @@ endfunction
 %! [scene, output] = take_options (struct (), "output/x", {"modes", [1 2], "output", "here"});
 %! assert (scene.model.modes, [1 2]); assert (output, struct ("folder", "here", "pictures", true));
 %! assert (nthargout (2, @take_options, scene, "here", {"pictures", false}).pictures, false);
+%!assert (nthargout (2, @take_options, struct (), "", {"output", "-x"}).folder, "./-x")
 %!error <driver: pictures is maybe: it takes true or false, PICTURES=yes or no>
 %! take_options (struct (), "", {"pictures", "maybe"});
 %!error <in pairs> take_options (struct (), "", {"modes"})

@@ -31,10 +31,10 @@ endfunction
 
 ## the folders of processes that are no more
 function remove_left_over (folder)
-  for left = glob (fullfile (folder, ".partial-*")).'
-    process = regexp (left{1}, '\.partial-(\d+)-\w+$', "tokens");
+  for left = readdir (folder).'
+    process = regexp (left{1}, '^\.partial-(\d+)-\w+$', "tokens");
     if (! isempty (process) && kill (str2double (process{1}{1}), 0) != 0)
-      rmdir (left{1}, "s");
+      rmdir (fullfile (folder, left{1}), "s");
     endif
   endfor
 endfunction

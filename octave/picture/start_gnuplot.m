@@ -12,7 +12,7 @@ function job = start_gnuplot (scratch, script, first = 1, last = 1)
   settings = struct ("first", first, "last", last, "here", [here filesep]);
   write_text (fullfile (scratch, share), [gnuplot_settings(settings), ...
                                           sprintf("load %s\n", "'settings.gp'", scripts{:})]);
-  job = start_tool (scratch, "gnuplot", ["gnuplot " share]);
+  job = start_tool (scratch, "gnuplot", ["gnuplot -d " share]);
 endfunction
 
 %!error <gnuplot failed with status 1: .*no_such_script.gp>

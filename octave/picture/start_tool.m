@@ -9,7 +9,7 @@ function job = start_tool (folder, tool, command)
   job.log = tempname ();
   ## The locale decides how gnuplot reads the titles.  A limit of file sizes fails a tool's writing, as a full disk
   ## does, and does not kill it.
-  job.pid = system (sprintf ("trap '' XFSZ; export LC_ALL=C.UTF-8; { cd %s && %s; } >%s 2>&1 </dev/null", ...
+  job.pid = system (sprintf ("trap '' XFSZ; export LC_ALL=C.UTF-8; { CDPATH= cd -- %s && %s; } >%s 2>&1 </dev/null", ...
                              shell_string (folder), command, shell_string (job.log)), false, "async");
 endfunction
 
