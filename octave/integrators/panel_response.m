@@ -12,10 +12,8 @@ function [free, forced] = panel_response (modal, h, x, weights, extra)
   [n, m, k] = deal (modal.n, rows (weights), numel (x));
   times_k = ones (k, 1);
   [omega, damping] = deal (kron (times_k, modal.omega), kron (times_k, modal.damping));
-  fraction = kron (x.', ones (n, 1));
-  [same, other] = oscillator_functions (omega, damping, h*fraction, 0);
-  [same_forced, other_forced] = loaded (omega, damping, h, fraction, weights);
-  constant = h*panel_integrals (zeros (k*extra, 1), kron (x.', ones (extra, 1)), m)*weights;
+  [same, other, constant] = moved (modal, h, x, weights);
+  constant = kron (constant, ones (extra, 1));
 
   R = 2*n + extra;
   first_row = (0:k-1)*R;
@@ -25,24 +23,34 @@ function [free, forced] = panel_response (modal, h, x, weights, extra)
   free = blocks (coordinate, of_coordinate, n, same(:,1), other(:,1), omega, damping, rest, of_rest, ...
                  ones (k*extra, 1), R*k, R);
   node = R*(0:m-1);
-  forced = blocks (coordinate, of_coordinate + node, n, same_forced, other_forced, omega, damping, ...
+  forced = blocks (coordinate, of_coordinate + node, n, same(:,2:end), other(:,2:end), omega, damping, ...
                    rest, of_rest + node, constant, R*k, R*m).';
 endfunction
 
-## what unit loads at the nodes do: same + other*A
-function [same, other] = loaded (omega, damping, h, fraction, weights)
-  [first, second] = oscillator_roots (omega, damping, h*fraction);
-  m = rows (weights);
-  f = h*panel_integrals (h*first, fraction, m)*weights;
-  pair = imag (first) != 0;
-  same = real (f) - real (first).*imag (f)./imag (first);
-  other = imag (f)./imag (first);
-  if (any (! pair))
-    [slow, fast, slow_f] = deal (first(! pair), second(! pair), f(! pair,:));
-    fast_f = h*panel_integrals (h*fast, fraction(! pair), m)*weights;
-    same(! pair,:) = real (fast_f.*slow - slow_f.*fast)./(slow - fast);
-    other(! pair,:) = real (slow_f - fast_f)./(slow - fast);
+## what the first column, a state, and the others, unit loads at the nodes, become: same + other*A of the modes, and what
+## only follows the loads
+function [same, other, constant] = moved (modal, h, x, weights)
+  [first, second] = oscillator_roots (modal.omega, modal.damping, h*ones (modal.n, 1));
+  f = by_root (h, [first; 0], x, weights);
+  every = modal.n + 1;
+  constant = real (f(every:every:end,2:end));
+  f(every:every:end,:) = [];
+  root = repmat (first, numel (x), 1);
+  other = imag (f)./imag (root);
+  same = real (f) - real (root).*other;
+  real_ones = imag (first) == 0;
+  if (any (real_ones))
+    here = repmat (real_ones, numel (x), 1);
+    [slow, slow_f] = deal (root(here), real (f(here,:)));
+    fast = repmat (second(real_ones), numel (x), 1);
+    fast_f = real (by_root (h, second(real_ones), x, weights));
+    same(here,:) = (fast_f.*slow - slow_f.*fast)./(slow - fast);
+    other(here,:) = (slow_f - fast_f)./(slow - fast);
   endif
+endfunction
+
+function f = by_root (h, roots, x, weights)
+  f = [exp(h*roots*x)(:), h*panel_integrals(h*roots, x, rows (weights))*weights];
 endfunction
 
 ## same + other*A for the modes, the constants for the rest
