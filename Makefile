@@ -30,7 +30,7 @@ help:
 	@echo 'make check       run all tests'
 	@echo 'make chart       error against seconds and calls of all integrators: table and chart [MODES="7 7"]'
 	@echo 'make stability   where integrators and model turn unstable, predicted and measured: table and chart'
-	@echo 'make choices     all scenes and 20 random ones: the chosen models against 30 + 30 modes'
+	@echo 'make choices     all scenes that choose and 60 random ones: chosen models against far richer ones'
 	@echo 'make surfaces    convergence in modes of the scenes on surfaces: table and chart'
 	@echo 'make conditioning    condition number of the mass matrix of arcs against the number of base functions: table'
 	@echo 'make fuzz        more of the random round trip [N=10000 SEED=1]'
@@ -59,7 +59,7 @@ stability:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; stability ();'
 
 choices:
-	@$(run_octave) --eval 'source octave/toolchain_path.m; verify_choices (shipped_and_random (20))'
+	@$(run_octave) --eval 'source octave/toolchain_path.m; verify_choices (shipped_and_random (20, 40));'
 
 conditioning:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; conditioning ();'

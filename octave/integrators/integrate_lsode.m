@@ -3,7 +3,7 @@
 ##   @var{solver})
 ## LSODE (Hindmarsh, 1983) with the @var{formulas} of Adams ("adams", order up to 12) or backward differences ("bdf",
 ## up to 5), through all @var{times} (1-by-m, s) from the state @var{y}, with @var{solver}.tolerance in units of the
-## state's scale; with @var{solver}.step all steps have that length and the order is @var{solver}.order, whatever their
+## state's scale; with @var{solver}.order all steps have this order and the length @var{solver}.step, whatever their
 ## error.  @var{steps} is not known: NaN.
 ## @end deftypefn
 
@@ -15,7 +15,7 @@ function [states, steps] = integrate_lsode (formulas, system, times, y, solver)
     lsode_options ("step limit", 1e6);
     lsode_options ("relative tolerance", max (solver.tolerance, 100*eps));
     lsode_options ("absolute tolerance", max (solver.tolerance*system.state_scale, realmin));
-    if (isfield (solver, "step") && ! isempty (solver.step))
+    if (isfield (solver, "order"))
       lsode_options ("relative tolerance", 1e10);
       lsode_options ("absolute tolerance", 1e10*system.state_scale);
       lsode_options ("maximum order", solver.order);
@@ -47,6 +47,10 @@ function settings = lsode_settings ()
   settings = [names, cellfun(@(name) lsode_options (name), names, "uniformoutput", false)];
 endfunction
 
+%!test # a scene's step is for methods of equal steps: here it changes nothing
+%! system = struct ("rate", @(t, y) [y(2); -y(1)], "state_scale", [1; 1]);
+%! solver = struct ("tolerance", 1e-6, "step", 0.5);
+%! assert (integrate_lsode ("bdf", system, [0 1], [1; 0], solver)(:,2), [cos(1); -sin(1)], 1e-4);
 %!test # an oscillation by both, to ten times the tolerance, and the user's settings come back
 %! before = lsode_options ("relative tolerance");
 %! system = struct ("mass", 1, "stiffness", 1, "state_scale", [1; 1], "rate", @(t, y) [y(2); -y(1)]);

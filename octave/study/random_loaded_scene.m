@@ -1,0 +1,154 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{scene} =} random_loaded_scene (@var{seed})
+## A scene drawn at random with forces along and across rods and masses at their tips: by turns a hinged rod, a rod in a
+## hub that turns, a mechanism of two rods and one of three.
+##
+## Forces are scaled to the rods, so that these bend by up to some hundredths of their length and stretch by at most
+## 0.2 percent; half of the rods are softer along than a rod of one material is.
+## @end deftypefn
+
+function scene = random_loaded_scene (seed)
+  state = rand ("twister");
+  unwind_protect
+    rand ("twister", 1000 + seed);
+    kinds = {@hinged, @in_hub, @two_rods, @three_rods};
+    scene = kinds{mod (seed - 1, 4) + 1} ();
+  unwind_protect_cleanup
+    rand ("twister", state);
+  end_unwind_protect
+  scene.title = sprintf ("Random loaded scene %d", seed);
+endfunction
+
+function scene = hinged ()
+  [rod, scales] = random_rod ();
+  [scene, load] = common (scales);
+  scene.rod = rod;
+  scene.initial.phi = load.angle;
+  [scene.force, scene.moment_breaks] = deal (load.force, load.breaks);
+  scene.force_station = rod.length*pick ([1 1 0.7]);
+  scene.tip_mass = load.tip_mass;
+  scene.model.energy = "uniaxial";
+endfunction
+
+## from 0 to rest at some angle, or on at a steady rate, by a polynomial
+function scene = in_hub ()
+  scene = rmfield (hinged (), "initial");
+  angle = between (0.05, 0.5);
+  rise = scene.duration*between (0.2, 0.6);
+  stops = rand () < 0.5;
+  scene.rotation = @(t) turning (t/rise, angle, rise, stops);
+  scene.moment_breaks = sort ([scene.moment_breaks, rise]);
+endfunction
+
+function theta = turning (s, angle, rise, stops)
+  r = min (s, 1);
+  if (stops)
+    theta = angle*[r^3*(10 - 15*r + 6*r^2), 30*r^2*(1 - r)^2/rise, 60*r*(1 - r)*(1 - 2*r)/rise^2];
+  else
+    theta = angle*[r^3 - r^4/2 + s - r, (3*r^2 - 2*r^3)/rise, 6*r*(1 - r)/rise^2];
+  endif
+endfunction
+
+## hinged to each other, or welded, and hinged to the ground, clamped, or driven
+function scene = two_rods ()
+  [rod, scales] = random_rod ();
+  [scene, load] = common (scales);
+  scene.bodies = {body_of(rod, load.angle), body_of(rod, load.angle)};
+  scene.bodies{2}.tip_mass = load.tip_mass;
+  scene.joints = {struct("kind", pick ({"revolute", "weld"}), "bodies", 1, "stations", 0, "direction", load.angle)
+                  struct("kind", pick ({"revolute", "weld"}), "bodies", [1 2], "stations", [rod.length 0])
+                  struct("kind", "force", "bodies", 2, "stations", rod.length, "value", load.force)};
+  if (strcmp (scene.joints{1}.kind, "revolute") && rand () < 0.5)
+    drive = @(t) turning (t/scene.duration, 0.3, scene.duration, true) + [load.angle, 0, 0];
+    scene.joints{end+1} = struct ("kind", "angle", "bodies", 1, "stations", 0, "value", drive);
+  endif
+  scene.breaks = load.breaks;
+endfunction
+
+## a crank, a rod whose end slides on a line, and a pendulum that hangs from it; or a chain
+function scene = three_rods ()
+  [rod, scales] = random_rod ();
+  [scene, load] = common (scales);
+  angle = between (0.3, 1);
+  l = rod.length;
+  scene.bodies = {body_of(rod, angle), body_of(rod, -angle), body_of(rod, -pi/2)};
+  scene.bodies{3}.tip_mass = load.tip_mass;
+  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)
+                  struct("kind", "revolute", "bodies", [1 2], "stations", [l 0])
+                  struct("kind", "revolute", "bodies", [2 3], "stations", [l 0])
+                  struct("kind", "force", "bodies", 2, "stations", l, "value", load.force)};
+  if (rand () < 0.6)
+    scene.joints{end+1} = struct ("kind", "slider", "bodies", 2, "stations", l);
+  endif
+  scene.breaks = load.breaks;
+endfunction
+
+function body = body_of (rod, angle)
+  body = struct ("rod", rod, "model", struct ("modes", "auto", "energy", "uniaxial"), ...
+                 "initial", struct ("phi", angle));
+endfunction
+
+## and its scales: its period of bending (hinged and free), EI/l^2 (N), what stretches it by 0.2 percent (N), mass (kg)
+function [rod, scales] = random_rod ()
+  l = between (0.3, 3);
+  slenderness = between (15, 100);
+  E = between (2e9, 2e11);
+  [half_height, width] = deal (l/slenderness/2, l/slenderness*between (0.5, 3));
+  rhoA = between (1000, 9000)*2*half_height*width;
+  EI = E*width*(2*half_height)^3/12;
+  EA = pick ({E*2*half_height*width, EI/l^2*between(100, 3000)});
+  rod = struct ("length", l, "EA", EA, "EI", EI, "rhoA", rhoA, "half_height", half_height, ...
+                "damping", pick ([0 0 1e-5]));
+  scales = struct ("period", 2*pi/15.42*l^2*sqrt (rhoA/EI), "EI", EI/l^2, "EA", 2e-3*EA, "length", l, ...
+                   "mass", rhoA*l);
+endfunction
+
+function [scene, load] = common (scales)
+  scene.gravity = pick ([0, 1])*min (9.81, between (0.01, 0.3)*scales.EI/scales.mass);
+  scene.duration = scales.period*between (1, 4);
+  scene.frames_per_second = 40/scene.duration;
+  scene.solver.tolerance = scales.length*between (3e-6, 5e-5);
+  load.angle = pi*(2*rand () - 1);
+  load.tip_mass = pick ([0 1])*scales.mass*between (0.05, 0.5);
+  size = [pick([-1 1])*min(between (0.01, 0.5)*scales.EI, scales.EA); pick([-1 1])*between(0.003, 0.1)*scales.EI];
+  size = [cos(load.angle) -sin(load.angle); sin(load.angle) cos(load.angle)]*size;  # along and across the rod
+  ending = scales.period*between (0.1, 2);
+  course = pick ({@(t) t < ending, @(t) sin(pi*t/ending)*(t < ending), @(t) sin(2*pi*t/ending)});
+  load.force = @(t) course (t)*size.';
+  load.breaks = ending(ending < scene.duration);
+endfunction
+
+function x = between (low, high)
+  x = low*(high/low)^rand ();
+endfunction
+
+function x = pick (list)
+  x = list(ceil (rand ()*numel (list)));
+  if (iscell (x))
+    x = x{1};
+  endif
+endfunction
+
+%!test # the same seed gives the same scene, and all kinds are scenes
+%! assert (random_loaded_scene (1).rod, random_loaded_scene (1).rod);
+%! for seed = 1:8
+%!   scene = random_loaded_scene (seed);
+%!   if (isfield (scene, "bodies"))
+%!     checked = check_mechanism (scene);
+%!     mechanism = build_mechanism (checked, mechanism_rungs (checked, 2*ones (1, numel (checked.bodies))));
+%!     [~, warnings] = assemble_mechanism (checked, mechanism, mechanism_system (checked, mechanism));
+%!     assert (warnings, {});
+%!   else
+%!     check_scene (scene);
+%!   endif
+%! endfor
+%!test # the hub's rates are derivatives of its angle
+%! h = 1e-6;
+%! for seed = [2 6 10 14]
+%!   scene = random_loaded_scene (seed);
+%!   for t = scene.duration*[0.05 0.1 0.15 0.7 0.9]
+%!     step = h*scene.duration;
+%!     slope = (scene.rotation (t + step) - scene.rotation (t - step))/(2*step);
+%!     assert (slope(1:2), scene.rotation (t)(2:3), 1e-6*max (abs (scene.rotation (t)(2:3))) + 1e-9);
+%!   endfor
+%! endfor
