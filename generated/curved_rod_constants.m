@@ -43,9 +43,9 @@ function [inertia_part, static_moment_1_part, static_moment_2_part] = curved_rod
     check_sizes ("curved_rod_constants", {"x", x, []; "y", y, []; "theta", theta, []; "kappa", kappa, []; ...
       "rhoA", rhoA, [1, 1]; "rhoI", rhoI, [1, 1]});
   endif
-  inertia_part = rhoA*y.^2 - 2*kappa*rhoI.*cos(theta).*y + rhoA*x.^2 + 2*kappa*rhoI.*sin(theta).*x + rhoI;
+  inertia_part = rhoI + rhoA*y.^2 + rhoA*x.^2 + 2*kappa*rhoI.*sin(theta).*x - 2*cos(theta).*kappa*rhoI.*y;
   static_moment_1_part = rhoA*x + kappa*rhoI.*sin(theta) + zeros(size(y));
-  static_moment_2_part = rhoA*y - kappa*rhoI.*cos(theta) + zeros(size(x));
+  static_moment_2_part = rhoA*y - cos(theta).*kappa*rhoI + zeros(size(x));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

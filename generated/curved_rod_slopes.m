@@ -39,7 +39,7 @@ function [x_slope, y_slope, u_1_slope, u_2_slope] = curved_rod_slopes (theta, e,
   endif
   x_slope = cos(theta) + zeros(size(e + chi));
   y_slope = sin(theta) + zeros(size(e + chi));
-  u_1_slope = e.*cos(theta) - chi.*sin(theta);
+  u_1_slope = cos(theta).*e - chi.*sin(theta);
   u_2_slope = e.*sin(theta) + chi.*cos(theta);
 endfunction
 

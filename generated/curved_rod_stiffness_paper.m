@@ -51,8 +51,8 @@ function stiffness_part = curved_rod_stiffness_paper (e_j, e_slope_j, bend_j, e_
       "width", width, [1, 1]; "half_height", half_height, [1, 1]; "lambda", lambda, [1, 1]; ...
       "mu", mu, [1, 1]});
   endif
-  stiffness_part = 2*half_height*width*(bend_j.*bend_k*half_height^2*lambda + 12*e_j.*e_k*lambda + ...
-      e_slope_j.*e_slope_k*half_height^2*mu + 2*bend_j.*bend_k*half_height^2*mu + 12*e_j.*e_k*mu)/3;
+  stiffness_part = 2*half_height*width*(e_slope_j.*e_slope_k*half_height^2*mu + 12*e_j.*e_k*mu + ...
+      12*e_j.*e_k*lambda + 2*bend_j.*bend_k*half_height^2*mu + bend_j.*bend_k*half_height^2*lambda)/3;
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -44,7 +44,7 @@ function stiffness_part = curved_rod_stiffness_uniaxial (e_j, e_slope_j, bend_j,
       "bend_j", bend_j, []; "e_k", e_k, []; "e_slope_k", e_slope_k, []; "bend_k", bend_k, []; ...
       "EA", EA, [1, 1]; "EI", EI, [1, 1]});
   endif
-  stiffness_part = EA*e_j.*e_k + EI*bend_j.*bend_k + zeros(size(e_slope_j + e_slope_k));
+  stiffness_part = EI*bend_j.*bend_k + EA*e_j.*e_k + zeros(size(e_slope_j + e_slope_k));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -125,21 +125,21 @@ function [mass_V_phi, mass_V_x, mass_V_y, mass_phi_phi, mass_phi_x, mass_phi_y, 
   v_13 = sum(V.*v_10, 1);
   v_14 = first_moment_1.'*V_dot;
   mass_V_phi = gyroscopic_matrix*V + coupling_vector;
-  mass_V_x = -v_1.*v_3 - first_moment_2.*v_2 + first_moment_1.*v_1;
-  mass_V_y = -v_2.*v_3 + first_moment_1.*v_2 + first_moment_2.*v_1;
+  mass_V_x = v_1.*first_moment_1 - v_2.*first_moment_2 - v_1.*v_3;
+  mass_V_y = v_2.*first_moment_1 + v_1.*first_moment_2 - v_2.*v_3;
   mass_phi_phi = moment_of_inertia + 2*(centrifugal_vector.'*V) + sum(V.*v_4, 1);
-  mass_phi_x = -v_2*static_moment + v_7.*v_2/2 - v_6.*v_2 - v_5.*v_1;
-  mass_phi_y = v_1*static_moment - v_5.*v_2 - v_7.*v_1/2 + v_6.*v_1;
-  force_V = -damping*v_9 - stiffness_matrix*V + gravity*v_2.*v_3 + centrifugal_vector.*v_8 + v_4.*v_8 - ...
-      2*(gyroscopic_matrix*V_dot).*phi_dot - first_moment_1*gravity.*v_2 - first_moment_2*gravity.*v_1;
-  force_phi = -gravity*v_1*static_moment - 2*(centrifugal_vector.'*V_dot).*phi_dot - ...
-      2*sum(V.*(centrifugal_matrix*V_dot), 1).*phi_dot + v_5*gravity.*v_2 + v_7*gravity.*v_1/2 - ...
-      v_6*gravity.*v_1;
-  force_x = v_1.*v_8*static_moment - v_5.*v_2.*v_8 - v_7.*v_1.*v_8/2 + v_6.*v_1.*v_8 + ...
-      2*v_14.*v_2.*phi_dot - 2*v_13.*v_2.*phi_dot + 2*v_12.*v_1.*phi_dot + v_11.*v_1;
-  force_y = v_2.*v_8*static_moment - v_7.*v_2.*v_8/2 + v_6.*v_2.*v_8 + v_5.*v_1.*v_8 + ...
-      2*v_12.*v_2.*phi_dot - 2*v_14.*v_1.*phi_dot + 2*v_13.*v_1.*phi_dot + v_11.*v_2 - gravity*mass;
-  dissipated_power = sum(V_dot.*v_9, 1)*damping;
+  mass_phi_x = v_2.*v_7/2 - v_2*static_moment - v_2.*v_6 - v_1.*v_5;
+  mass_phi_y = v_1*static_moment + v_1.*v_6 - v_2.*v_5 - v_1.*v_7/2;
+  force_V = v_8.*centrifugal_vector + v_4.*v_8 + v_2.*v_3*gravity - stiffness_matrix*V - ...
+      2*(gyroscopic_matrix*V_dot).*phi_dot - v_9*damping - v_2.*first_moment_1*gravity - ...
+      v_1.*first_moment_2*gravity;
+  force_phi = v_2.*v_5*gravity + v_1.*v_7*gravity/2 - 2*(centrifugal_vector.'*V_dot).*phi_dot - ...
+      2*sum(V.*(centrifugal_matrix*V_dot), 1).*phi_dot - v_1*gravity*static_moment - v_1.*v_6*gravity;
+  force_x = 2*v_14.*v_2.*phi_dot + v_1.*v_8*static_moment + v_1.*v_6.*v_8 + 2*v_1.*v_12.*phi_dot + ...
+      v_1.*v_11 - v_2.*v_5.*v_8 - 2*v_13.*v_2.*phi_dot - v_1.*v_7.*v_8/2;
+  force_y = v_2.*v_8*static_moment + v_2.*v_6.*v_8 + 2*v_12.*v_2.*phi_dot + v_11.*v_2 + v_1.*v_5.*v_8 + ...
+      2*v_1.*v_13.*phi_dot - gravity*mass - v_2.*v_7.*v_8/2 - 2*v_1.*v_14.*phi_dot;
+  dissipated_power = damping*sum(V_dot.*v_9, 1);
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -34,7 +34,7 @@ function stress = rod_bending_stress (curvature, half_height, lambda, mu)
     check_sizes ("rod_bending_stress", {"curvature", curvature, []; "half_height", half_height, [1, 1]; ...
       "lambda", lambda, [1, 1]; "mu", mu, [1, 1]});
   endif
-  stress = abs(curvature)*abs(half_height)*abs(mu)*abs(3*lambda + 2*mu)/abs(lambda + mu);
+  stress = abs(2*mu + 3*lambda)*abs(curvature)*abs(half_height)*abs(mu)/abs(mu + lambda);
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -33,8 +33,8 @@ function coefficients = rod_centrifugal (j, length, rhoA, rhoI)
     check_sizes ("rod_centrifugal", {"j", j, []; "length", length, [1, 1]; "rhoA", rhoA, [1, 1]; ...
       "rhoI", rhoI, [1, 1]});
   endif
-  coefficients = merge(j > 0, -((-1).^j.*(4*pi^2*j.^2*rhoI - 4*pi^2*j*rhoI + pi^2*rhoI + ...
-      4*length^2*rhoA))./(pi^2*(2*j - 1).^2), -(j.*(6*rhoI - j.^2*length^2*rhoA + 3*length^2*rhoA))/6);
+  coefficients = merge(j > 0, -(-1).^j.*(4*length^2*rhoA + pi^2*rhoI + 4*pi^2*j.^2*rhoI - ...
+      4*pi^2*j*rhoI)./(pi^2*(2*j - 1).^2), -j.*(6*rhoI + 3*length^2*rhoA - j.^2*length^2*rhoA)/6);
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -33,7 +33,7 @@ function coefficients = rod_coupling (j, length, rhoA, rhoI)
     check_sizes ("rod_coupling", {"j", j, []; "length", length, [1, 1]; "rhoA", rhoA, [1, 1]; ...
       "rhoI", rhoI, [1, 1]});
   endif
-  coefficients = merge(j > 0, -((-1).^j*length^2*rhoA)./(pi*j), -((j - 6)*length^2*rhoA)/60);
+  coefficients = merge(j > 0, -length^2*rhoA*(-1).^j./(pi*j), -length^2*rhoA*(j - 6)/60);
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -30,7 +30,7 @@ function value = rod_curvature_longitudinal (j, xi1, length)
   if (! size_equal (1, length) || ! size_equal (j, xi1))
     check_sizes ("rod_curvature_longitudinal", {"j", j, []; "xi1", xi1, []; "length", length, [1, 1]});
   endif
-  value = merge(j > 0, -(pi^2*(2*j - 1).^2.*sin(pi*(2*j - 1).*xi1/(2*length)))/(4*length^2), merge(xi1 <= ...
+  value = merge(j > 0, -pi^2*sin(pi*xi1.*(2*j - 1)/(2*length)).*(2*j - 1).^2/(4*length^2), merge(xi1 <= ...
       (-j*length), 0, 0));
 endfunction
 

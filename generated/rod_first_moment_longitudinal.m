@@ -31,7 +31,7 @@ function coefficients = rod_first_moment_longitudinal (j, length, rhoA)
     check_sizes ("rod_first_moment_longitudinal", {"j", j, []; "length", length, [1, 1]; ...
       "rhoA", rhoA, [1, 1]});
   endif
-  coefficients = merge(j > 0, 2*length*rhoA./(pi*(2*j - 1)), (-j - 2).*j*length*rhoA/2);
+  coefficients = merge(j > 0, 2*length*rhoA./(pi*(2*j - 1)), j*length*rhoA.*(-j - 2)/2);
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

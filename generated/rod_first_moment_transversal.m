@@ -31,7 +31,7 @@ function coefficients = rod_first_moment_transversal (j, length, rhoA)
     check_sizes ("rod_first_moment_transversal", {"j", j, []; "length", length, [1, 1]; ...
       "rhoA", rhoA, [1, 1]});
   endif
-  coefficients = merge(j > 0, -(((-1).^j - 1)*length*rhoA)./(pi*j), length*rhoA/4);
+  coefficients = merge(j > 0, -length*rhoA*((-1).^j - 1)./(pi*j), length*rhoA/4);
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

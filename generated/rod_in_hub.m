@@ -60,11 +60,11 @@ function [phi, phi_dot, hub_gradient, hub_acceleration] = rod_in_hub (theta, the
   v_8 = v_4 + v_2.^2 + 2*v_2 + 1;
   v_9 = 1./v_8;
   v_10 = 1./v_8.^2;
-  v_11 = 2*v_1.*v_7 + 2*v_2.*v_6 + 2*v_6;
+  v_11 = 2*v_6 + 2*v_2.*v_6 + 2*v_1.*v_7;
   phi = theta - atan2(v_1, v_3);
-  phi_dot = theta_dot - v_3.*v_5.*v_7 + v_1.*v_5.*v_6;
-  hub_gradient = v_2.*v_9.*slope_2 + v_9.*slope_2 - v_1.*v_9.*slope_1;
-  hub_acceleration = -v_2.*v_10.*v_7.*v_11 - v_10.*v_7.*v_11 + v_1.*v_10.*v_6.*v_11;
+  phi_dot = theta_dot + v_1.*v_5.*v_6 - v_3.*v_5.*v_7;
+  hub_gradient = v_9.*slope_2 + v_2.*v_9.*slope_2 - v_1.*v_9.*slope_1;
+  hub_acceleration = v_1.*v_10.*v_11.*v_6 - v_10.*v_11.*v_7 - v_10.*v_11.*v_2.*v_7;
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

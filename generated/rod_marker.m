@@ -100,7 +100,7 @@ function [x_m, y_m, angle, x_m_dot, y_m_dot, angle_dot, x_convection, y_convecti
   endif
   v_1 = cos(phi);
   v_2 = shortening_matrix*V;
-  v_3 = place_1 - sum(V.*v_2, 1)/2 + shape_1.'*V;
+  v_3 = place_1 + shape_1.'*V - sum(V.*v_2, 1)/2;
   v_4 = v_1.*v_3;
   v_5 = sin(phi);
   v_6 = place_2 + shape_2.'*V;
@@ -110,39 +110,39 @@ function [x_m, y_m, angle, x_m_dot, y_m_dot, angle_dot, x_convection, y_convecti
   v_10 = v_9 + 1;
   v_11 = shortening_matrix*V_dot;
   v_12 = sum(V.*v_11, 1);
-  v_13 = -v_12.*v_1;
+  v_13 = -v_1.*v_12;
   v_14 = shape_1.'*V_dot;
-  v_15 = v_14.*v_1;
+  v_15 = v_1.*v_14;
   v_16 = shape_2.'*V_dot;
   v_17 = -v_16.*v_5;
-  v_18 = -v_1.*v_6 - v_5.*v_3;
-  v_19 = phi_dot.*v_18;
+  v_18 = -v_3.*v_5 - v_1.*v_6;
+  v_19 = v_18.*phi_dot;
   v_20 = v_7 + v_4;
   v_21 = v_8.^2;
   v_22 = 1./(v_21 + v_10.^2);
   v_23 = slope_1.'*V_dot;
   v_24 = slope_2.'*V_dot;
   v_25 = sum(V_dot.*v_11, 1);
-  v_26 = v_21 + v_9.^2 + 2*v_9 + 1;
+  v_26 = v_9.^2 + 2*v_9 + v_21 + 1;
   v_27 = 1./v_26.^2;
-  v_28 = 2*v_8.*v_24 + 2*v_9.*v_23 + 2*v_23;
+  v_28 = 2*v_24.*v_8 + 2*v_23.*v_9 + 2*v_23;
   v_29 = 1./v_26;
   x_m = x + v_7 + v_4;
-  y_m = y + v_1.*v_6 + v_5.*v_3;
+  y_m = y + v_3.*v_5 + v_1.*v_6;
   angle = phi + direction + atan2(v_8, v_10);
   x_m_dot = x_dot + v_19 + v_17 + v_15 + v_13;
-  y_m_dot = y_dot + phi_dot.*v_20 + v_14.*v_5 - v_12.*v_5 + v_16.*v_1;
-  angle_dot = phi_dot + v_10.*v_22.*v_24 - v_8.*v_22.*v_23;
-  x_convection = phi_dot.*(phi_dot.*(v_5.*v_6 - v_1.*v_3) - v_14.*v_5 + v_12.*v_5 - v_16.*v_1) - ...
-      v_14.*v_5.*phi_dot + v_12.*v_5.*phi_dot - v_16.*v_1.*phi_dot - v_25.*v_1;
-  y_convection = phi_dot.*(v_19 + v_17 + v_15 + v_13) - v_16.*v_5.*phi_dot + v_14.*v_1.*phi_dot - ...
-      v_12.*v_1.*phi_dot - v_25.*v_5;
-  angle_convection = -v_9.*v_27.*v_24.*v_28 - v_27.*v_24.*v_28 + v_8.*v_27.*v_23.*v_28;
+  y_m_dot = y_dot + v_20.*phi_dot + v_14.*v_5 + v_1.*v_16 - v_12.*v_5;
+  angle_dot = phi_dot + v_10.*v_22.*v_24 - v_22.*v_23.*v_8;
+  x_convection = phi_dot.*(phi_dot.*(v_5.*v_6 - v_1.*v_3) + v_12.*v_5 - v_14.*v_5 - v_1.*v_16) + ...
+      v_12.*v_5.*phi_dot - v_14.*v_5.*phi_dot - v_1.*v_25 - v_1.*v_16.*phi_dot;
+  y_convection = phi_dot.*(v_19 + v_17 + v_15 + v_13) + v_1.*v_14.*phi_dot - v_25.*v_5 - ...
+      v_16.*v_5.*phi_dot - v_1.*v_12.*phi_dot;
+  angle_convection = v_23.*v_27.*v_28.*v_8 - v_24.*v_27.*v_28.*v_9 - v_24.*v_27.*v_28;
   x_phi = v_18;
   y_phi = v_20;
-  x_V = -v_1.*v_2 - v_5.*shape_2 + v_1.*shape_1;
-  y_V = -v_5.*v_2 + v_1.*shape_2 + v_5.*shape_1;
-  angle_V = v_9.*v_29.*slope_2 + v_29.*slope_2 - v_8.*v_29.*slope_1;
+  x_V = v_1.*shape_1 - v_5.*shape_2 - v_1.*v_2;
+  y_V = v_5.*shape_1 + v_1.*shape_2 - v_2.*v_5;
+  angle_V = v_29.*slope_2 + v_29.*v_9.*slope_2 - v_29.*v_8.*slope_1;
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

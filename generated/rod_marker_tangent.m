@@ -86,15 +86,15 @@ function [phi_phi, phi_V, shortening, slope_1_1, slope_1_2, slope_2_2] = rod_mar
   v_9 = v_8.^2;
   v_10 = v_9 + v_7.^2;
   v_11 = 1./v_10.^2;
-  phi_phi = force_x.*v_6*place_2 - force_y.*v_2*place_2 - force_y.*v_6*place_1 - force_x.*v_2*place_1 + ...
-      v_4.*force_y.*v_6/2 - v_1.*force_y.*v_6 + v_5.*force_x.*v_6 - v_5.*force_y.*v_2 + ...
-      v_4.*force_x.*v_2/2 - v_1.*force_x.*v_2;
-  phi_V = force_x.*v_6.*v_3 - force_y.*v_2.*v_3 - force_y.*v_6.*shape_2 - force_x.*v_2.*shape_2 - ...
-      force_x.*v_6.*shape_1 + force_y.*v_2.*shape_1;
-  shortening = -force_y.*v_6 - force_x.*v_2;
-  slope_1_1 = 2*v_7.*v_8.*v_11.*force_angle;
-  slope_1_2 = 2*v_9.*v_11.*force_angle - force_angle./v_10;
-  slope_2_2 = -2*v_7.*v_8.*v_11.*force_angle;
+  phi_phi = v_6.*force_x*place_2 + v_5.*v_6.*force_x + v_4.*v_6.*force_y/2 + v_2.*v_4.*force_x/2 - ...
+      v_6.*force_y*place_1 - v_2.*force_y*place_2 - v_2.*force_x*place_1 - v_2.*v_5.*force_y - ...
+      v_1.*v_6.*force_y - v_1.*v_2.*force_x;
+  phi_V = v_3.*v_6.*force_x + v_2.*force_y.*shape_1 - v_6.*force_y.*shape_2 - v_6.*force_x.*shape_1 - ...
+      v_2.*force_x.*shape_2 - v_2.*v_3.*force_y;
+  shortening = -v_6.*force_y - v_2.*force_x;
+  slope_1_1 = 2*v_11.*v_7.*v_8.*force_angle;
+  slope_1_2 = 2*v_11.*v_9.*force_angle - force_angle./v_10;
+  slope_2_2 = -2*v_11.*v_7.*v_8.*force_angle;
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

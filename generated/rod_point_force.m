@@ -63,16 +63,16 @@ function [force_V, force_phi, force_power] = rod_point_force (phi, phi_dot, V, V
   v_2 = sin(phi);
   v_3 = shortening_matrix*V;
   v_4 = shape_2.'*V;
-  v_5 = station - sum(V.*v_3, 1)/2 + shape_1.'*V;
-  v_6 = force_x.*(-v_2.*v_5 - v_4.*v_1) + force_y.*(v_1.*v_5 - v_4.*v_2);
+  v_5 = station + shape_1.'*V - sum(V.*v_3, 1)/2;
+  v_6 = force_y.*(v_1.*v_5 - v_2.*v_4) + force_x.*(-v_2.*v_5 - v_1.*v_4);
   v_7 = sum(V.*(shortening_matrix*V_dot), 1);
   v_8 = shape_1.'*V_dot;
   v_9 = shape_2.'*V_dot;
-  force_V = -force_y.*v_2.*v_3 - force_x.*v_1.*v_3 - force_x.*v_2.*shape_2 + force_y.*v_1.*shape_2 + ...
-      force_y.*v_2.*shape_1 + force_x.*v_1.*shape_1;
+  force_V = v_2.*force_y.*shape_1 + v_1.*force_y.*shape_2 + v_1.*force_x.*shape_1 - ...
+      v_2.*force_x.*shape_2 - v_2.*v_3.*force_y - v_1.*v_3.*force_x;
   force_phi = v_6;
-  force_power = phi_dot.*v_6 + v_8.*force_y.*v_2 - v_7.*force_y.*v_2 - v_9.*force_x.*v_2 + ...
-      v_9.*force_y.*v_1 + v_8.*force_x.*v_1 - v_7.*force_x.*v_1;
+  force_power = v_6.*phi_dot + v_2.*v_8.*force_y + v_1.*v_9.*force_y + v_1.*v_8.*force_x - ...
+      v_2.*v_9.*force_x - v_2.*v_7.*force_y - v_1.*v_7.*force_x;
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -111,15 +111,15 @@ function [V_ddot, phi_dot, torque, power, dissipated_power] = rod_rates (phi, an
   v_1 = cos(phi);
   v_2 = sin(phi);
   v_3 = gyroscopic_matrix*V_dot;
-  v_4 = angular_momentum - coupling_vector.'*V_dot + sum(V.*v_3, 1);
+  v_4 = sum(V.*v_3, 1) + angular_momentum - coupling_vector.'*V_dot;
   v_5 = v_4.^2;
   v_6 = centrifugal_matrix*V;
   v_7 = sum(V.*v_6, 1);
   v_8 = 2*(centrifugal_vector.'*V);
-  v_9 = -2*follower_ds*gravity*v_2;
-  v_10 = 2*v_5*follower_dd./(2*v_5*follower_dd./(v_9 + moment_of_inertia + ...
-      2*angular_momentum.^2*follower_dd/moment_of_inertia^2 + v_8 + v_7).^2 + v_9 + moment_of_inertia + ...
-      v_8 + v_7).^2 + v_9 + moment_of_inertia + v_8 + v_7;
+  v_9 = -2*v_2*follower_ds*gravity;
+  v_10 = moment_of_inertia + v_9 + v_8 + v_7 + 2*v_5*follower_dd./(moment_of_inertia + v_9 + v_8 + v_7 + ...
+      2*v_5*follower_dd./(moment_of_inertia + 2*angular_momentum.^2*follower_dd/moment_of_inertia^2 + ...
+      v_9 + v_8 + v_7).^2).^2;
   v_11 = 1./v_10.^2;
   v_12 = 1./v_10;
   v_13 = shortened_moment_matrix*V;
@@ -128,26 +128,25 @@ function [V_ddot, phi_dot, torque, power, dissipated_power] = rod_rates (phi, an
   v_16 = v_14.^2;
   v_17 = 1./(v_16 + v_15.^2 + 2*v_15 + 1);
   v_18 = stiffness_matrix*V_dot;
-  v_19 = inverse_mass_matrix*(-damping*v_18 - stiffness_matrix*V + v_15.*v_17.*moment.*slope_2 + ...
-      v_17.*moment.*slope_2 - v_14.*v_17.*moment.*slope_1 + gravity*v_2.*v_13 - 2*v_4.*v_3.*v_12 + ...
-      v_5.*centrifugal_vector.*v_11 + v_5.*v_6.*v_11 - first_moment_1*gravity.*v_2 - ...
-      first_moment_2*gravity.*v_1);
+  v_19 = inverse_mass_matrix*(v_17.*moment.*slope_2 + v_15.*v_17.*moment.*slope_2 + v_13.*v_2*gravity + ...
+      v_11.*v_5.*centrifugal_vector + v_11.*v_5.*v_6 - stiffness_matrix*V - v_2.*first_moment_1*gravity - ...
+      v_18*damping - v_14.*v_17.*moment.*slope_1 - 2*v_12.*v_3.*v_4 - v_1.*first_moment_2*gravity);
   v_20 = gyroscopic_matrix*V + coupling_vector;
   v_21 = inverse_mass_matrix*v_20;
-  v_22 = (2*follower_ss*gravity^2*v_1.*v_2 - 2*v_5*follower_ds*gravity.*v_1.*v_11)/2;
-  v_23 = -gravity*(v_1.*(static_moment - sum(V.*v_13, 1)/2 + first_moment_1.'*V) - ...
-      first_moment_2.'*V.*v_2);
-  v_24 = v_4.*v_12;
+  v_22 = (2*v_1.*v_2*follower_ss*gravity^2 - 2*v_1.*v_11.*v_5*follower_ds*gravity)/2;
+  v_23 = -gravity*(v_1.*(static_moment + first_moment_1.'*V - sum(V.*v_13, 1)/2) - ...
+      v_2.*(first_moment_2.'*V));
+  v_24 = v_12.*v_4;
   v_25 = v_15 + 1;
-  v_26 = 1./(v_16 + v_25.^2);
-  V_ddot = v_19 - v_21.*(v_23 - 2*(centrifugal_vector.'*V_dot).*v_4.*v_12 - ...
-      2*sum(V.*(centrifugal_matrix*V_dot), 1).*v_4.*v_12 + v_22 + 2*v_5*follower_ds*gravity.*v_1.*v_11 + ...
-      moment - sum(v_20.*v_19, 1))./((12*v_5*follower_dd.*v_11 - 4*follower_ds*gravity*v_2)/2 + ...
-      moment_of_inertia - sum(v_20.*v_21, 1) + v_8 + v_7);
+  v_26 = 1./(v_25.^2 + v_16);
+  V_ddot = v_19 - v_21.*(moment + v_23 + v_22 + 2*v_1.*v_11.*v_5*follower_ds*gravity - sum(v_20.*v_19, ...
+      1) - 2*v_12.*v_4.*(centrifugal_vector.'*V_dot) - 2*v_12.*v_4.*sum(V.*(centrifugal_matrix*V_dot), ...
+      1))./((12*v_11.*v_5*follower_dd - 4*v_2*follower_ds*gravity)/2 + moment_of_inertia + v_8 + v_7 - ...
+      sum(v_20.*v_21, 1));
   phi_dot = v_24;
-  torque = v_23 + v_22 + moment;
-  power = moment.*(v_24 + v_25.*v_26.*(slope_2.'*V_dot) - v_14.*v_26.*(slope_1.'*V_dot));
-  dissipated_power = sum(V_dot.*v_18, 1)*damping;
+  torque = moment + v_23 + v_22;
+  power = moment.*(v_25.*v_26.*(slope_2.'*V_dot) + v_24 - v_14.*v_26.*(slope_1.'*V_dot));
+  dissipated_power = damping*sum(V_dot.*v_18, 1);
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -129,15 +129,15 @@ function [V_ddot, phi_dot, torque, power, dissipated_power] = rod_rates_with_for
   v_1 = cos(phi);
   v_2 = sin(phi);
   v_3 = gyroscopic_matrix*V_dot;
-  v_4 = angular_momentum - coupling_vector.'*V_dot + sum(V.*v_3, 1);
+  v_4 = sum(V.*v_3, 1) + angular_momentum - coupling_vector.'*V_dot;
   v_5 = v_4.^2;
   v_6 = centrifugal_matrix*V;
   v_7 = sum(V.*v_6, 1);
   v_8 = 2*(centrifugal_vector.'*V);
-  v_9 = -2*follower_ds*gravity*v_2;
-  v_10 = 2*v_5*follower_dd./(2*v_5*follower_dd./(v_9 + moment_of_inertia + ...
-      2*angular_momentum.^2*follower_dd/moment_of_inertia^2 + v_8 + v_7).^2 + v_9 + moment_of_inertia + ...
-      v_8 + v_7).^2 + v_9 + moment_of_inertia + v_8 + v_7;
+  v_9 = -2*v_2*follower_ds*gravity;
+  v_10 = moment_of_inertia + v_9 + v_8 + v_7 + 2*v_5*follower_dd./(moment_of_inertia + v_9 + v_8 + v_7 + ...
+      2*v_5*follower_dd./(moment_of_inertia + 2*angular_momentum.^2*follower_dd/moment_of_inertia^2 + ...
+      v_9 + v_8 + v_7).^2).^2;
   v_11 = 1./v_10.^2;
   v_12 = 1./v_10;
   v_13 = shortened_moment_matrix*V;
@@ -147,36 +147,36 @@ function [V_ddot, phi_dot, torque, power, dissipated_power] = rod_rates_with_for
   v_17 = v_15.^2;
   v_18 = 1./(v_17 + v_16.^2 + 2*v_16 + 1);
   v_19 = stiffness_matrix*V_dot;
-  v_20 = inverse_mass_matrix*(-damping*v_19 - stiffness_matrix*V + v_16.*v_18.*moment.*slope_2 + ...
-      v_18.*moment.*slope_2 - v_15.*v_18.*moment.*slope_1 - force_y.*v_2.*v_14 - force_x.*v_1.*v_14 + ...
-      gravity*v_2.*v_13 - force_x.*v_2.*shape_2 + force_y.*v_1.*shape_2 + force_y.*v_2.*shape_1 + ...
-      force_x.*v_1.*shape_1 - 2*v_4.*v_3.*v_12 + v_5.*centrifugal_vector.*v_11 + v_5.*v_6.*v_11 - ...
-      first_moment_1*gravity.*v_2 - first_moment_2*gravity.*v_1);
+  v_20 = inverse_mass_matrix*(v_2.*force_y.*shape_1 + v_18.*moment.*slope_2 + ...
+      v_16.*v_18.*moment.*slope_2 + v_13.*v_2*gravity + v_11.*v_5.*centrifugal_vector + v_11.*v_5.*v_6 + ...
+      v_1.*force_y.*shape_2 + v_1.*force_x.*shape_1 - stiffness_matrix*V - v_2.*force_x.*shape_2 - ...
+      v_2.*first_moment_1*gravity - v_19*damping - v_15.*v_18.*moment.*slope_1 - v_14.*v_2.*force_y - ...
+      2*v_12.*v_3.*v_4 - v_1.*first_moment_2*gravity - v_1.*v_14.*force_x);
   v_21 = gyroscopic_matrix*V + coupling_vector;
   v_22 = inverse_mass_matrix*v_21;
-  v_23 = (2*follower_ss*gravity^2*v_1.*v_2 - 2*v_5*follower_ds*gravity.*v_1.*v_11)/2;
-  v_24 = -gravity*(v_1.*(static_moment - sum(V.*v_13, 1)/2 + first_moment_1.'*V) - ...
-      first_moment_2.'*V.*v_2);
+  v_23 = (2*v_1.*v_2*follower_ss*gravity^2 - 2*v_1.*v_11.*v_5*follower_ds*gravity)/2;
+  v_24 = -gravity*(v_1.*(static_moment + first_moment_1.'*V - sum(V.*v_13, 1)/2) - ...
+      v_2.*(first_moment_2.'*V));
   v_25 = shape_2.'*V;
-  v_26 = station - sum(V.*v_14, 1)/2 + shape_1.'*V;
-  v_27 = force_y.*(v_1.*v_26 - v_25.*v_2);
-  v_28 = force_x.*(-v_2.*v_26 - v_25.*v_1);
-  v_29 = v_4.*v_12;
+  v_26 = station + shape_1.'*V - sum(V.*v_14, 1)/2;
+  v_27 = force_y.*(v_1.*v_26 - v_2.*v_25);
+  v_28 = force_x.*(-v_2.*v_26 - v_1.*v_25);
+  v_29 = v_12.*v_4;
   v_30 = sum(V.*(shortening_matrix*V_dot), 1);
   v_31 = shape_1.'*V_dot;
   v_32 = shape_2.'*V_dot;
   v_33 = v_16 + 1;
-  v_34 = 1./(v_17 + v_33.^2);
-  V_ddot = v_20 - v_22.*(v_28 + v_27 + v_24 - 2*(centrifugal_vector.'*V_dot).*v_4.*v_12 - ...
-      2*sum(V.*(centrifugal_matrix*V_dot), 1).*v_4.*v_12 + v_23 + 2*v_5*follower_ds*gravity.*v_1.*v_11 + ...
-      moment - sum(v_21.*v_20, 1))./((12*v_5*follower_dd.*v_11 - 4*follower_ds*gravity*v_2)/2 + ...
-      moment_of_inertia - sum(v_21.*v_22, 1) + v_8 + v_7);
+  v_34 = 1./(v_33.^2 + v_17);
+  V_ddot = v_20 - v_22.*(moment + v_28 + v_27 + v_24 + v_23 + 2*v_1.*v_11.*v_5*follower_ds*gravity - ...
+      sum(v_21.*v_20, 1) - 2*v_12.*v_4.*(centrifugal_vector.'*V_dot) - ...
+      2*v_12.*v_4.*sum(V.*(centrifugal_matrix*V_dot), 1))./((12*v_11.*v_5*follower_dd - ...
+      4*v_2*follower_ds*gravity)/2 + moment_of_inertia + v_8 + v_7 - sum(v_21.*v_22, 1));
   phi_dot = v_29;
-  torque = v_28 + v_27 + v_24 + v_23 + moment;
-  power = v_4.*v_12.*(v_28 + v_27) + moment.*(v_29 + v_33.*v_34.*(slope_2.'*V_dot) - ...
-      v_15.*v_34.*(slope_1.'*V_dot)) + v_31.*force_y.*v_2 - v_30.*force_y.*v_2 - v_32.*force_x.*v_2 + ...
-      v_32.*force_y.*v_1 + v_31.*force_x.*v_1 - v_30.*force_x.*v_1;
-  dissipated_power = sum(V_dot.*v_19, 1)*damping;
+  torque = moment + v_28 + v_27 + v_24 + v_23;
+  power = moment.*(v_33.*v_34.*(slope_2.'*V_dot) + v_29 - v_15.*v_34.*(slope_1.'*V_dot)) + ...
+      v_2.*v_31.*force_y + v_12.*v_4.*(v_28 + v_27) + v_1.*v_32.*force_y + v_1.*v_31.*force_x - ...
+      v_2.*v_32.*force_x - v_2.*v_30.*force_y - v_1.*v_30.*force_x;
+  dissipated_power = damping*sum(V_dot.*v_19, 1);
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -30,7 +30,7 @@ function value = rod_shape_longitudinal (j, xi1, length)
   if (! size_equal (1, length) || ! size_equal (j, xi1))
     check_sizes ("rod_shape_longitudinal", {"j", j, []; "xi1", xi1, []; "length", length, [1, 1]});
   endif
-  value = merge(j > 0, sin(pi*(2*j - 1).*xi1/(2*length)), merge(xi1 <= (-j*length), xi1/length, -j));
+  value = merge(j > 0, sin(pi*xi1.*(2*j - 1)/(2*length)), merge(xi1 <= (-j*length), xi1/length, -j));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

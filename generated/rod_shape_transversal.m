@@ -30,8 +30,8 @@ function value = rod_shape_transversal (j, xi1, length)
   if (! size_equal (1, length) || ! size_equal (j, xi1))
     check_sizes ("rod_shape_transversal", {"j", j, []; "xi1", xi1, []; "length", length, [1, 1]});
   endif
-  value = merge(j > 0, sin(pi*j.*xi1/length), xi1.*(xi1 - length).*(2*j.*xi1 + 3*xi1 - j*length - ...
-      3*length)/length^3);
+  value = merge(j > 0, sin(pi*j.*xi1/length), xi1.*(3*xi1 + 2*j.*xi1 - 3*length - j*length).*(xi1 - ...
+      length)/length^3);
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

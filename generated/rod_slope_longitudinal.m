@@ -30,7 +30,7 @@ function value = rod_slope_longitudinal (j, xi1, length)
   if (! size_equal (1, length) || ! size_equal (j, xi1))
     check_sizes ("rod_slope_longitudinal", {"j", j, []; "xi1", xi1, []; "length", length, [1, 1]});
   endif
-  value = merge(j > 0, pi*(2*j - 1).*cos(pi*(2*j - 1).*xi1/(2*length))/(2*length), merge(xi1 <= ...
+  value = merge(j > 0, pi*cos(pi*xi1.*(2*j - 1)/(2*length)).*(2*j - 1)/(2*length), merge(xi1 <= ...
       (-j*length), 1/length, 0));
 endfunction
 

@@ -30,8 +30,8 @@ function value = rod_slope_transversal (j, xi1, length)
   if (! size_equal (1, length) || ! size_equal (j, xi1))
     check_sizes ("rod_slope_transversal", {"j", j, []; "xi1", xi1, []; "length", length, [1, 1]});
   endif
-  value = merge(j > 0, pi*j.*cos(pi*j.*xi1/length)/length, (6*j.*xi1.^2 + 9*xi1.^2 - 6*j*length.*xi1 - ...
-      12*length*xi1 + j*length^2 + 3*length^2)/length^3);
+  value = merge(j > 0, pi*cos(pi*j.*xi1/length).*j/length, (9*xi1.^2 + 3*length^2 + 6*j.*xi1.^2 + ...
+      j*length^2 - 12*length*xi1 - 6*j*length.*xi1)/length^3);
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -34,8 +34,8 @@ function coefficients = rod_stiffness_transversal (j, k, length, EI)
       "EI", EI, [1, 1]});
   endif
   coefficients = merge(j > 0 & k > 0, merge(j == k, pi^4*EI*j.^4/(2*length^3), 0), merge(j > 0, ...
-      6*pi*EI*j.*((-1).^j.*k + k + (-1).^j + 2)/length^3, merge(k > 0, 6*pi*EI*k.*(j.*(-1).^k + (-1).^k + ...
-      j + 2)/length^3, 6*EI*(2*j.*k + 3*k + 3*j + 6)/length^3)));
+      6*pi*EI*j.*((-1).^j + k.*(-1).^j + k + 2)/length^3, merge(k > 0, 6*pi*EI*k.*((-1).^k + j.*(-1).^k + ...
+      j + 2)/length^3, 6*EI*(3*k + 2*j.*k + 3*j + 6)/length^3)));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

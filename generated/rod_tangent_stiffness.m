@@ -59,9 +59,9 @@ function [stiffness_V_V, stiffness_V_phi, stiffness_phi_phi] = rod_tangent_stiff
       "first_moment_1", first_moment_1, [n, 1]; "first_moment_2", first_moment_2, [n, 1]; ...
       "shortened_moment_matrix", shortened_moment_matrix, [n, n]});
   endif
-  stiffness_V_V = stiffness_matrix - gravity*sin(phi)*shortened_moment_matrix - ...
+  stiffness_V_V = stiffness_matrix - gravity*shortened_moment_matrix*sin(phi) - ...
       centrifugal_matrix*phi_dot^2;
-  stiffness_V_phi = first_moment_1*gravity*cos(phi) - first_moment_2*gravity*sin(phi);
+  stiffness_V_phi = cos(phi)*first_moment_1*gravity - first_moment_2*gravity*sin(phi);
   stiffness_phi_phi = -gravity*sin(phi)*static_moment;
 endfunction
 

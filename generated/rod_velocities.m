@@ -101,11 +101,11 @@ function [V_dot, phi_dot] = rod_velocities (phi, angular_momentum, V, momentum_V
   v_7 = -sum(v_2.*v_4, 1);
   v_8 = -2*follower_ds*gravity*sin(phi);
   v_9 = v_3.^2;
-  v_10 = 1./(2*follower_dd*v_9./(2*follower_dd*v_9./(v_8 + moment_of_inertia + ...
-      2*angular_momentum.^2*follower_dd/moment_of_inertia^2 + v_7 + v_6 + v_5).^2 + v_8 + ...
-      moment_of_inertia + v_7 + v_6 + v_5).^2 + v_8 + moment_of_inertia + v_7 + v_6 + v_5);
-  V_dot = v_1 - v_3.*v_4.*v_10;
-  phi_dot = v_3.*v_10;
+  v_10 = 1./(moment_of_inertia + 2*v_9*follower_dd./(moment_of_inertia + ...
+      2*v_9*follower_dd./(moment_of_inertia + 2*angular_momentum.^2*follower_dd/moment_of_inertia^2 + ...
+      v_8 + v_7 + v_6 + v_5).^2 + v_8 + v_7 + v_6 + v_5).^2 + v_8 + v_7 + v_6 + v_5);
+  V_dot = v_1 - v_10.*v_3.*v_4;
+  phi_dot = v_10.*v_3;
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

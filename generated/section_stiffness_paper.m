@@ -38,8 +38,8 @@ function [EA, EI, GI] = section_stiffness_paper (width, half_height, lambda, mu)
     check_sizes ("section_stiffness_paper", {"width", width, [1, 1]; "half_height", half_height, [1, 1]; ...
       "lambda", lambda, [1, 1]; "mu", mu, [1, 1]});
   endif
-  EA = 8*half_height*width*(lambda + mu);
-  EI = 2*half_height^3*width*(lambda + 2*mu)/3;
+  EA = 8*half_height*width*(mu + lambda);
+  EI = 2*half_height^3*width*(2*mu + lambda)/3;
   GI = 2*half_height^3*mu*width/3;
 endfunction
 

@@ -38,8 +38,8 @@ function [EA, EI, GI] = section_stiffness_uniaxial (width, half_height, lambda, 
     check_sizes ("section_stiffness_uniaxial", {"width", width, [1, 1]; ...
       "half_height", half_height, [1, 1]; "lambda", lambda, [1, 1]; "mu", mu, [1, 1]});
   endif
-  EA = 2*half_height*mu*width*(3*lambda + 2*mu)/(lambda + mu);
-  EI = 2*half_height^3*mu*width*(3*lambda + 2*mu)/(3*(lambda + mu));
+  EA = 2*half_height*mu*width*(2*mu + 3*lambda)/(mu + lambda);
+  EI = 2*half_height^3*mu*width*(2*mu + 3*lambda)/(3*(mu + lambda));
   GI = 0;
 endfunction
 

@@ -59,12 +59,12 @@ function [alpha1_11, alpha2_11] = surface_bumps_geodesic (alpha1, alpha2, alpha1
   v_12 = wave_number_2^2;
   v_13 = sin(v_6);
   v_14 = v_13.^2;
-  v_15 = 1./(v_2*v_11*v_12.*v_14 + v_2*v_9*v_10.*v_8 + 1);
+  v_15 = 1./(v_11*v_12.*v_14*v_2 + v_10*v_2.*v_8*v_9 + 1);
   v_16 = alpha2_1.^2;
-  alpha1_11 = 2*alpha1_1.*alpha2_1*v_2*v_9.*v_10*wave_number_2.*v_7.*v_13.*v_15 - ...
-      v_16*v_2*wave_number_1.*v_4.*v_5*v_12.*v_8.*v_15 - v_1*v_2*wave_number_1^3.*v_4.*v_5.*v_8.*v_15;
-  alpha2_11 = 2*alpha1_1.*alpha2_1*v_2*wave_number_1.*v_4.*v_5*v_12.*v_14.*v_15 - ...
-      v_16*v_2.*v_11*wave_number_2^3.*v_7.*v_13.*v_15 - v_1*v_2*v_9.*v_11*wave_number_2.*v_7.*v_13.*v_15;
+  alpha1_11 = 2*v_10.*v_13.*v_15*v_2.*v_7*v_9.*alpha1_1.*alpha2_1*wave_number_2 - ...
+      v_12*v_15.*v_16*v_2.*v_4.*v_5.*v_8*wave_number_1 - v_1.*v_15*v_2.*v_4.*v_5.*v_8*wave_number_1^3;
+  alpha2_11 = 2*v_12*v_14.*v_15*v_2.*v_4.*v_5.*alpha1_1.*alpha2_1*wave_number_1 - ...
+      v_11.*v_13.*v_15.*v_16*v_2.*v_7*wave_number_2^3 - v_1.*v_11.*v_13.*v_15*v_2.*v_7*v_9*wave_number_2;
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

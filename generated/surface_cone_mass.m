@@ -40,7 +40,7 @@ function [mass_11, mass_12, mass_22] = surface_cone_mass (alpha1, alpha2, rhoA, 
   endif
   mass_11 = rhoA + zeros(size(alpha1 + alpha2));
   mass_12 = 0 + zeros(size(alpha1 + alpha2));
-  mass_22 = alpha1.^2*sin(half_angle)^2*rhoA + zeros(size(alpha2));
+  mass_22 = alpha1.^2*rhoA*sin(half_angle)^2 + zeros(size(alpha2));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

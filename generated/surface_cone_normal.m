@@ -40,10 +40,10 @@ function [n_1, n_2, n_3, determinant] = surface_cone_normal (alpha1, alpha2, hal
   endif
   v_1 = cos(half_angle);
   v_2 = sin(half_angle);
-  n_1 = -cos(alpha2)*v_1 + zeros(size(alpha1));
-  n_2 = -sin(alpha2)*v_1 + zeros(size(alpha1));
+  n_1 = -v_1*cos(alpha2) + zeros(size(alpha1));
+  n_2 = -v_1*sin(alpha2) + zeros(size(alpha1));
   n_3 = v_2 + zeros(size(alpha1 + alpha2));
-  determinant = alpha1.^2*v_2^2 + zeros(size(alpha2));
+  determinant = v_2^2*alpha1.^2 + zeros(size(alpha2));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -64,13 +64,13 @@ function [load_1, load_2, load_3, load_4] = surface_cone_point_loads (alpha1, al
   v_8 = cos(alpha2);
   v_9 = sin(alpha2);
   v_10 = v_4^3;
-  load_1 = v_6.*(alpha1_1.*alpha2_1*v_4.*moment + v_2.*v_9.*v_3.*force_2*v_10 + ...
-      v_2.*v_8.*v_3.*force_1*v_10 + v_2.*v_3.*force_3*v_7*v_5 + v_1.*v_9.*force_2*v_4 + ...
-      v_1.*v_8.*force_1*v_4 + v_1.*force_3*v_7);
-  load_2 = v_4*(moment + alpha1.*v_8.*force_2 - alpha1.*v_9.*force_1) + ...
+  load_1 = v_6.*(v_4*alpha1_1.*alpha2_1.*moment + v_2.*v_3*v_5*v_7.*force_3 + ...
+      v_10*v_2.*v_3.*v_9.*force_2 + v_10*v_2.*v_3.*v_8.*force_1 + v_1*v_7.*force_3 + ...
+      v_1*v_4.*v_9.*force_2 + v_1*v_4.*v_8.*force_1);
+  load_2 = v_4*(moment + v_8.*alpha1.*force_2 - v_9.*alpha1.*force_1) + ...
       zeros(size(alpha1_1 + alpha2_1 + force_3));
-  load_3 = -alpha1.*alpha2_1*v_4.*v_6.*moment + zeros(size(alpha2 + force_1 + force_2 + force_3));
-  load_4 = alpha1.*alpha1_1*v_4.*v_6.*moment + zeros(size(alpha2 + force_1 + force_2 + force_3));
+  load_3 = -v_4*v_6.*alpha1.*alpha2_1.*moment + zeros(size(alpha2 + force_1 + force_2 + force_3));
+  load_4 = v_4*v_6.*alpha1.*alpha1_1.*moment + zeros(size(alpha2 + force_1 + force_2 + force_3));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -37,8 +37,8 @@ function [r_1, r_2, r_3] = surface_cone_position (alpha1, alpha2, half_angle)
       "half_angle", half_angle, [1, 1]});
   endif
   v_1 = sin(half_angle);
-  r_1 = alpha1.*cos(alpha2)*v_1;
-  r_2 = alpha1.*sin(alpha2)*v_1;
+  r_1 = v_1*alpha1.*cos(alpha2);
+  r_2 = v_1*alpha1.*sin(alpha2);
   r_3 = alpha1*cos(half_angle) + zeros(size(alpha2));
 endfunction
 

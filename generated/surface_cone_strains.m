@@ -54,15 +54,15 @@ function [axial_strain, geodesic_bending, normal_bending, twist] = surface_cone_
   v_2 = alpha2_1.^2;
   v_3 = sin(half_angle);
   v_4 = v_3^2;
-  v_5 = alpha1.^2.*v_2*v_4;
+  v_5 = v_2*v_4.*alpha1.^2;
   v_6 = v_5 + v_1;
   v_7 = cos(half_angle);
   v_8 = 1./sqrt(v_6);
   axial_strain = (v_5 + v_1 - 1)/2 + zeros(size(alpha2 + alpha1_11 + alpha2_11));
-  geodesic_bending = alpha1*v_3.*(alpha1_1.*(alpha2_11 + 2*alpha1_1.*alpha2_1./alpha1) - ...
-      alpha2_1.*(alpha1_11 - alpha1.*v_2*v_4))./v_6 + zeros(size(alpha2));
-  normal_bending = alpha1.*v_2*v_7*v_3.*v_8 + zeros(size(alpha2 + alpha1_11 + alpha2_11));
-  twist = alpha1_1.*alpha2_1*v_7.*v_8 + zeros(size(alpha2 + alpha1_11 + alpha2_11));
+  geodesic_bending = v_3*alpha1.*(alpha1_1.*(alpha2_11 + 2*alpha1_1.*alpha2_1./alpha1) - ...
+      alpha2_1.*(alpha1_11 - v_2*v_4.*alpha1))./v_6 + zeros(size(alpha2));
+  normal_bending = v_2*v_3*v_7.*v_8.*alpha1 + zeros(size(alpha2 + alpha1_11 + alpha2_11));
+  twist = v_7*v_8.*alpha1_1.*alpha2_1 + zeros(size(alpha2 + alpha1_11 + alpha2_11));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -47,11 +47,11 @@ function [turning_1, turning_2, turning_3, turning_4] = surface_cone_turning (al
   v_2 = alpha1_1.^2;
   v_3 = alpha2_1.^2;
   v_4 = v_1^2;
-  v_5 = 1./(alpha1.^2.*v_3*v_4 + v_2);
-  turning_1 = alpha1_1.*alpha2_1*v_1.*v_5 + zeros(size(alpha2));
-  turning_2 = alpha1*v_1.*(alpha1.*v_3*v_4 + v_2./alpha1).*v_5 + zeros(size(alpha2));
-  turning_3 = -alpha1.*alpha2_1*v_1.*v_5 + zeros(size(alpha2));
-  turning_4 = alpha1.*alpha1_1*v_1.*v_5 + zeros(size(alpha2));
+  v_5 = 1./(v_3*v_4.*alpha1.^2 + v_2);
+  turning_1 = v_1*v_5.*alpha1_1.*alpha2_1 + zeros(size(alpha2));
+  turning_2 = v_1*v_5.*alpha1.*(v_3*v_4.*alpha1 + v_2./alpha1) + zeros(size(alpha2));
+  turning_3 = -v_1*v_5.*alpha1.*alpha2_1 + zeros(size(alpha2));
+  turning_4 = v_1*v_5.*alpha1.*alpha1_1 + zeros(size(alpha2));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -38,7 +38,7 @@ function [r_1, r_2, r_3] = surface_cylinder_position (alpha1, alpha2, radius)
   endif
   v_1 = alpha2/radius;
   r_1 = alpha1 + zeros(size(alpha2));
-  r_2 = sin(v_1)*radius + zeros(size(alpha1));
+  r_2 = radius*sin(v_1) + zeros(size(alpha1));
   r_3 = -cos(v_1)*radius + zeros(size(alpha1));
 endfunction
 

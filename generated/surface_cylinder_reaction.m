@@ -71,37 +71,37 @@ function [reaction_0, reaction_1, reaction_2] = surface_cylinder_reaction (alpha
   v_1 = alpha1_1.^2;
   v_2 = alpha2_1.^2;
   v_3 = 1/radius;
-  v_4 = alpha2*v_3;
+  v_4 = v_3*alpha2;
   v_5 = cos(v_4);
   v_6 = v_5.^2;
   v_7 = v_2.*v_6;
   v_8 = sin(v_4);
   v_9 = v_8.^2;
   v_10 = v_2.*v_9;
-  v_11 = v_10 + v_7 + v_1;
-  v_12 = -2*v_2.*v_9*v_3 - 2*v_2.*v_6*v_3;
-  v_13 = v_2.*v_5*v_3 + alpha2_11.*v_8;
-  v_14 = alpha2_11.*v_5 - v_2.*v_8*v_3;
-  v_15 = alpha1_1.*v_5.*v_14 + alpha1_1.*v_8.*v_13 + alpha1_11.*(-alpha2_1.*v_9 - alpha2_1.*v_6);
+  v_11 = v_7 + v_10 + v_1;
+  v_12 = -2*v_2*v_3.*v_9 - 2*v_2*v_3.*v_6;
+  v_13 = v_8.*alpha2_11 + v_2*v_3.*v_5;
+  v_14 = v_5.*alpha2_11 - v_2*v_3.*v_8;
+  v_15 = alpha1_11.*(-v_9.*alpha2_1 - v_6.*alpha2_1) + v_14.*v_5.*alpha1_1 + v_13.*v_8.*alpha1_1;
   v_16 = 1./v_11.^2;
-  v_17 = v_5.*v_13 - v_8.*v_14;
-  v_18 = alpha1_1.*alpha2_1.*v_9*v_3 + alpha1_1.*alpha2_1.*v_6*v_3;
+  v_17 = v_13.*v_5 - v_14.*v_8;
+  v_18 = v_3*v_9.*alpha1_1.*alpha2_1 + v_3*v_6.*alpha1_1.*alpha2_1;
   v_19 = 1./v_11;
   v_20 = 1/radius^2;
-  v_21 = v_2.*v_8*v_20 - alpha2_11.*v_5*v_3;
-  v_22 = -alpha2_11.*v_8*v_3 - v_2.*v_5*v_20;
+  v_21 = v_2*v_20.*v_8 - v_3*v_5.*alpha2_11;
+  v_22 = -v_3*v_8.*alpha2_11 - v_2*v_20.*v_5;
   v_23 = v_9 + v_6;
-  reaction_0 = alpha2_dot.^2*v_3*rhoA + gravity*v_5*rhoA + ...
-      (2*EI*v_16.*v_15.*(alpha1_11.*(alpha2_1.*v_9*v_3 + alpha2_1.*v_6*v_3) + alpha1_1.*v_8.*v_22 + ...
-      alpha1_1.*v_5.*v_21) + 2*EI_normal*v_19.*v_17.*(v_5.*v_22 - v_8.*v_21) - GJ*v_16.*v_18.^2.*v_12 + ...
-      EA*(v_10 + v_7 + v_1 - 1).*v_12/2 - EI_normal*v_16.*v_12.*v_17.^2 - ...
-      2*EI*v_12.*v_15.^2./v_11.^3)/2 + zeros(size(alpha1 + alpha1_dot));
-  reaction_1 = (2*GJ*v_19.*v_18.*(alpha1_1.*v_5.*v_23.*v_19.*v_14 + alpha1_1.*v_8.*v_23.*v_19.*v_13 - ...
-      alpha1_11.*v_23.*(alpha2_1.*v_9 + alpha2_1.*v_6).*v_19) - ...
-      2*EI_normal*v_23.*v_16.*(alpha2_1.*v_5.*v_14 + alpha2_1.*v_8.*v_13 + alpha1_1.*alpha1_11).*v_17 + ...
-      2*EI*v_16.*(-2*alpha1_1.*alpha2_1.*v_9*v_3 - 2*alpha1_1.*alpha2_1.*v_6*v_3).*v_15)/2 + ...
-      zeros(size(alpha1 + alpha1_dot + alpha2_dot));
-  reaction_2 = EI_normal*v_23.*v_19.*v_17 + zeros(size(alpha1 + alpha1_11 + alpha1_dot + alpha2_dot));
+  reaction_0 = (2*v_17.*v_19*EI_normal.*(v_22.*v_5 - v_21.*v_8) + ...
+      2*v_15.*v_16*EI.*(alpha1_11.*(v_3*v_9.*alpha2_1 + v_3*v_6.*alpha2_1) + v_22.*v_8.*alpha1_1 + ...
+      v_21.*v_5.*alpha1_1) + v_12*EA.*(v_7 + v_10 + v_1 - 1)/2 - v_12.*v_16.*v_18.^2*GJ - ...
+      v_12.*v_16.*v_17.^2*EI_normal - 2*v_12.*v_15.^2*EI./v_11.^3)/2 + v_5*gravity*rhoA + ...
+      v_3*alpha2_dot.^2*rhoA + zeros(size(alpha1 + alpha1_dot));
+  reaction_1 = (2*v_18.*v_19*GJ.*(v_14.*v_19.*v_23.*v_5.*alpha1_1 + v_13.*v_19.*v_23.*v_8.*alpha1_1 - ...
+      v_19.*v_23.*alpha1_11.*(v_9.*alpha2_1 + v_6.*alpha2_1)) + ...
+      2*v_15.*v_16*EI.*(-2*v_3*v_9.*alpha1_1.*alpha2_1 - 2*v_3*v_6.*alpha1_1.*alpha2_1) - ...
+      2*v_16.*v_17.*v_23*EI_normal.*(alpha1_1.*alpha1_11 + v_14.*v_5.*alpha2_1 + ...
+      v_13.*v_8.*alpha2_1))/2 + zeros(size(alpha1 + alpha1_dot + alpha2_dot));
+  reaction_2 = v_17.*v_19.*v_23*EI_normal + zeros(size(alpha1 + alpha1_11 + alpha1_dot + alpha2_dot));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

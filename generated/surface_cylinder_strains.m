@@ -57,7 +57,7 @@ function [axial_strain, geodesic_bending, normal_bending, twist] = surface_cylin
   axial_strain = (v_2 + v_1 - 1)/2 + zeros(size(alpha1 + alpha2 + alpha1_11 + alpha2_11));
   geodesic_bending = (alpha1_1.*alpha2_11 - alpha1_11.*alpha2_1)./v_3 + zeros(size(alpha1 + alpha2));
   normal_bending = v_2.*v_4*v_5 + zeros(size(alpha1 + alpha2 + alpha1_11 + alpha2_11));
-  twist = alpha1_1.*alpha2_1.*v_4*v_5 + zeros(size(alpha1 + alpha2 + alpha1_11 + alpha2_11));
+  twist = v_4*v_5.*alpha1_1.*alpha2_1 + zeros(size(alpha1 + alpha2 + alpha1_11 + alpha2_11));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

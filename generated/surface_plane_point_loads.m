@@ -56,10 +56,10 @@ function [load_1, load_2, load_3, load_4] = surface_plane_point_loads (alpha1, a
   endif
   v_1 = 1./(alpha2_1.^2 + alpha1_1.^2);
   load_1 = force_1 + zeros(size(alpha1 + alpha2 + alpha1_1 + alpha2_1 + force_2 + force_3 + moment));
-  load_2 = force_3*sin(inclination) + force_2*cos(inclination) + ...
+  load_2 = force_3*sin(inclination) + cos(inclination)*force_2 + ...
       zeros(size(alpha1 + alpha2 + alpha1_1 + alpha2_1 + force_1 + moment));
-  load_3 = -alpha2_1.*v_1.*moment + zeros(size(alpha1 + alpha2 + force_1 + force_2 + force_3));
-  load_4 = alpha1_1.*v_1.*moment + zeros(size(alpha1 + alpha2 + force_1 + force_2 + force_3));
+  load_3 = -v_1.*alpha2_1.*moment + zeros(size(alpha1 + alpha2 + force_1 + force_2 + force_3));
+  load_4 = v_1.*alpha1_1.*moment + zeros(size(alpha1 + alpha2 + force_1 + force_2 + force_3));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

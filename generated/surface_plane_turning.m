@@ -47,8 +47,8 @@ function [turning_1, turning_2, turning_3, turning_4] = surface_plane_turning (a
   v_1 = 1./(alpha2_1.^2 + alpha1_1.^2);
   turning_1 = 0 + zeros(size(alpha1 + alpha2 + alpha1_1 + alpha2_1));
   turning_2 = 0 + zeros(size(alpha1 + alpha2 + alpha1_1 + alpha2_1));
-  turning_3 = -alpha2_1.*v_1 + zeros(size(alpha1 + alpha2));
-  turning_4 = alpha1_1.*v_1 + zeros(size(alpha1 + alpha2));
+  turning_3 = -v_1.*alpha2_1 + zeros(size(alpha1 + alpha2));
+  turning_4 = v_1.*alpha1_1 + zeros(size(alpha1 + alpha2));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -43,10 +43,10 @@ function [alpha1_11, alpha2_11] = surface_saddle_geodesic (alpha1, alpha2, alpha
   v_1 = alpha2_1.^2;
   v_2 = fall^2;
   v_3 = rise^2;
-  v_4 = 1./(alpha1.^2*v_3 + alpha2.^2*v_2 + 1);
+  v_4 = 1./(v_3*alpha1.^2 + v_2*alpha2.^2 + 1);
   v_5 = alpha1_1.^2;
-  alpha1_11 = alpha1.*v_1*fall*rise.*v_4 - alpha1.*v_5*v_3.*v_4;
-  alpha2_11 = v_5.*alpha2*fall*rise.*v_4 - alpha2.*v_1*v_2.*v_4;
+  alpha1_11 = v_1.*v_4.*alpha1*fall*rise - v_3*v_4.*v_5.*alpha1;
+  alpha2_11 = v_4.*v_5.*alpha2*fall*rise - v_1*v_2.*v_4.*alpha2;
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -42,7 +42,7 @@ function [mass_11, mass_12, mass_22] = surface_saddle_mass (alpha1, alpha2, rhoA
   endif
   mass_11 = rhoA*(alpha1.^2*rise^2 + 1) + zeros(size(alpha2));
   mass_12 = -alpha1.*alpha2*fall*rhoA*rise;
-  mass_22 = (alpha2.^2*fall^2 + 1)*rhoA + zeros(size(alpha1));
+  mass_22 = rhoA*(alpha2.^2*fall^2 + 1) + zeros(size(alpha1));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

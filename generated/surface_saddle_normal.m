@@ -40,10 +40,10 @@ function [n_1, n_2, n_3, determinant] = surface_saddle_normal (alpha1, alpha2, r
     check_sizes ("surface_saddle_normal", {"alpha1", alpha1, []; "alpha2", alpha2, []; ...
       "rise", rise, [1, 1]; "fall", fall, [1, 1]});
   endif
-  v_1 = alpha1.^2*rise^2 + alpha2.^2*fall^2 + 1;
+  v_1 = alpha2.^2*fall^2 + alpha1.^2*rise^2 + 1;
   v_2 = 1./sqrt(v_1);
-  n_1 = -alpha1*rise.*v_2;
-  n_2 = alpha2*fall.*v_2;
+  n_1 = -v_2.*alpha1*rise;
+  n_2 = v_2.*alpha2*fall;
   n_3 = v_2;
   determinant = v_1;
 endfunction

@@ -47,19 +47,19 @@ function [turning_1, turning_2, turning_3, turning_4] = surface_saddle_turning (
       "alpha1_1", alpha1_1, []; "alpha2_1", alpha2_1, []; "rise", rise, [1, 1]; "fall", fall, [1, 1]});
   endif
   v_1 = fall^2;
-  v_2 = alpha2.^2*v_1;
+  v_2 = v_1*alpha2.^2;
   v_3 = rise^2;
-  v_4 = alpha1.^2*v_3;
+  v_4 = v_3*alpha1.^2;
   v_5 = v_4 + v_2 + 1;
   v_6 = sqrt(v_5);
   v_7 = alpha2_1.^2;
   v_8 = alpha1_1.^2;
-  v_9 = 1./(v_8.*(v_4 + 1) - 2*alpha1.*alpha1_1.*alpha2.*alpha2_1*fall*rise + v_7.*(v_2 + 1));
+  v_9 = 1./(v_8.*(v_4 + 1) + v_7.*(v_2 + 1) - 2*alpha1.*alpha1_1.*alpha2.*alpha2_1*fall*rise);
   v_10 = 1./v_5;
-  turning_1 = v_6.*v_9.*(-alpha1.*alpha1_1.*alpha2_1*v_3.*v_10 - v_8.*alpha2*fall*rise.*v_10);
-  turning_2 = v_6.*v_9.*(alpha1.*v_7*fall*rise.*v_10 + alpha1_1.*alpha2.*alpha2_1*v_1.*v_10);
-  turning_3 = -alpha2_1.*v_6.*v_9;
-  turning_4 = alpha1_1.*v_6.*v_9;
+  turning_1 = v_6.*v_9.*(-v_10.*v_8.*alpha2*fall*rise - v_10*v_3.*alpha1.*alpha1_1.*alpha2_1);
+  turning_2 = v_6.*v_9.*(v_10.*v_7.*alpha1*fall*rise + v_1*v_10.*alpha1_1.*alpha2.*alpha2_1);
+  turning_3 = -v_6.*v_9.*alpha2_1;
+  turning_4 = v_6.*v_9.*alpha1_1;
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

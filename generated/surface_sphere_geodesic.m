@@ -41,8 +41,8 @@ function [alpha1_11, alpha2_11] = surface_sphere_geodesic (alpha1, alpha2, alpha
   v_1 = alpha1_1.^2;
   v_2 = 1./(4*radius^2 + alpha2.^2 + alpha1.^2);
   v_3 = alpha2_1.^2;
-  alpha1_11 = -2*alpha1.*v_3.*v_2 + 4*alpha1_1.*alpha2.*alpha2_1.*v_2 + 2*alpha1.*v_1.*v_2;
-  alpha2_11 = 2*alpha2.*v_3.*v_2 + 4*alpha1.*alpha1_1.*alpha2_1.*v_2 - 2*v_1.*alpha2.*v_2;
+  alpha1_11 = 4*v_2.*alpha1_1.*alpha2.*alpha2_1 + 2*v_1.*v_2.*alpha1 - 2*v_2.*v_3.*alpha1;
+  alpha2_11 = 4*v_2.*alpha1.*alpha1_1.*alpha2_1 + 2*v_2.*v_3.*alpha2 - 2*v_1.*v_2.*alpha2;
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

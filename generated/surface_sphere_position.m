@@ -38,9 +38,9 @@ function [r_1, r_2, r_3] = surface_sphere_position (alpha1, alpha2, radius)
   endif
   v_1 = (alpha2.^2 + alpha1.^2)/(4*radius^2);
   v_2 = 1./(v_1 + 1);
-  r_1 = alpha1.*v_2;
-  r_2 = alpha2.*v_2;
-  r_3 = (v_1 - 1).*v_2*radius;
+  r_1 = v_2.*alpha1;
+  r_2 = v_2.*alpha2;
+  r_3 = v_2*radius.*(v_1 - 1);
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -46,15 +46,15 @@ function [turning_1, turning_2, turning_3, turning_4] = surface_sphere_turning (
   v_1 = radius^4;
   v_2 = 4*radius^2 + alpha2.^2 + alpha1.^2;
   v_3 = 1./v_2.^2;
-  v_4 = 1./(16*alpha2_1.^2*v_1.*v_3 + 16*alpha1_1.^2*v_1.*v_3);
+  v_4 = 1./(16*v_1*v_3.*alpha2_1.^2 + 16*v_1*v_3.*alpha1_1.^2);
   v_5 = 1./v_2;
-  v_6 = -2*alpha2.*alpha2_1.*v_5 - 2*alpha1.*alpha1_1.*v_5;
-  turning_1 = 16*v_1*v_3.*v_4.*(alpha1_1.*(2*alpha1_1.*alpha2.*v_5 - 2*alpha1.*alpha2_1.*v_5) - ...
-      alpha2_1.*v_6);
-  turning_2 = 16*v_1*v_3.*v_4.*(alpha1_1.*v_6 - alpha2_1.*(2*alpha1.*alpha2_1.*v_5 - ...
-      2*alpha1_1.*alpha2.*v_5));
-  turning_3 = -16*alpha2_1*v_1.*v_3.*v_4;
-  turning_4 = 16*alpha1_1*v_1.*v_3.*v_4;
+  v_6 = -2*v_5.*alpha2.*alpha2_1 - 2*v_5.*alpha1.*alpha1_1;
+  turning_1 = 16*v_1*v_3.*v_4.*(alpha1_1.*(2*v_5.*alpha1_1.*alpha2 - 2*v_5.*alpha1.*alpha2_1) - ...
+      v_6.*alpha2_1);
+  turning_2 = 16*v_1*v_3.*v_4.*(v_6.*alpha1_1 - alpha2_1.*(2*v_5.*alpha1.*alpha2_1 - ...
+      2*v_5.*alpha1_1.*alpha2));
+  turning_3 = -16*v_1*v_3.*v_4.*alpha2_1;
+  turning_4 = 16*v_1*v_3.*v_4.*alpha1_1;
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

@@ -41,10 +41,10 @@ function [n_1, n_2, n_3, determinant] = surface_torus_normal (alpha1, alpha2, co
       "core_radius", core_radius, [1, 1]; "tube_radius", tube_radius, [1, 1]});
   endif
   v_1 = cos(alpha2);
-  n_1 = cos(alpha1).*v_1;
-  n_2 = sin(alpha1).*v_1;
+  n_1 = v_1.*cos(alpha1);
+  n_2 = v_1.*sin(alpha1);
   n_3 = sin(alpha2) + zeros(size(alpha1));
-  determinant = tube_radius^2*(v_1*tube_radius + core_radius).^2 + zeros(size(alpha1));
+  determinant = tube_radius^2*(core_radius + v_1*tube_radius).^2 + zeros(size(alpha1));
 endfunction
 
 ## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.

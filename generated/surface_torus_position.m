@@ -39,8 +39,8 @@ function [r_1, r_2, r_3] = surface_torus_position (alpha1, alpha2, core_radius, 
       "core_radius", core_radius, [1, 1]; "tube_radius", tube_radius, [1, 1]});
   endif
   v_1 = cos(alpha2)*tube_radius + core_radius;
-  r_1 = cos(alpha1).*v_1;
-  r_2 = sin(alpha1).*v_1;
+  r_1 = v_1.*cos(alpha1);
+  r_2 = v_1.*sin(alpha1);
   r_3 = sin(alpha2)*tube_radius + zeros(size(alpha1));
 endfunction
 

@@ -58,7 +58,7 @@ function [axial_strain, geodesic_bending, normal_bending, twist] = surface_torus
   v_3 = v_1*v_2;
   v_4 = alpha1_1.^2;
   v_5 = cos(alpha2);
-  v_6 = v_5*tube_radius + core_radius;
+  v_6 = core_radius + v_5*tube_radius;
   v_7 = v_6.^2;
   v_8 = v_4.*v_7;
   v_9 = sin(alpha2);
@@ -67,10 +67,10 @@ function [axial_strain, geodesic_bending, normal_bending, twist] = surface_torus
   v_12 = v_8 + v_3;
   v_13 = 1./sqrt(v_12);
   axial_strain = (v_8 + v_3 - 1)/2 + zeros(size(alpha1 + alpha1_11 + alpha2_11));
-  geodesic_bending = tube_radius*v_6.*(alpha1_1.*(v_4.*v_9*v_10.*v_6 + alpha2_11) - ...
-      alpha2_1.*(alpha1_11 - 2*alpha1_1.*v_9.*alpha2_1*tube_radius.*v_11))./v_12 + zeros(size(alpha1));
-  normal_bending = (-v_4.*v_5.*v_6 - v_1*tube_radius).*v_13 + zeros(size(alpha1 + alpha1_11 + alpha2_11));
-  twist = v_10*v_11.*v_13.*(alpha1_1.*v_5.*alpha2_1*v_2.*v_6 - alpha1_1.*alpha2_1*tube_radius.*v_7) + ...
+  geodesic_bending = v_6*tube_radius.*(alpha1_1.*(alpha2_11 + v_10*v_4.*v_6.*v_9) - ...
+      alpha2_1.*(alpha1_11 - 2*v_11.*v_9.*alpha1_1.*alpha2_1*tube_radius))./v_12 + zeros(size(alpha1));
+  normal_bending = v_13.*(-v_4.*v_5.*v_6 - v_1*tube_radius) + zeros(size(alpha1 + alpha1_11 + alpha2_11));
+  twist = v_10*v_11.*v_13.*(v_2*v_5.*v_6.*alpha1_1.*alpha2_1 - v_7.*alpha1_1.*alpha2_1*tube_radius) + ...
       zeros(size(alpha1 + alpha1_11 + alpha2_11));
 endfunction
 

@@ -9,6 +9,9 @@ printf '%s\n' "$modes" | grep -Eqx '[0-9]{1,3} +[0-9]{1,3}' || {
   echo "$command: MODES is two numbers of modes, for instance MODES=\"7 7\", not \"$modes\"" >&2; exit 1; }
 
 folder=$(user_path "$folder")
+# Some Maximas compile their share library when they first use it.
+export MAXIMA_SECONDS="${MAXIMA_SECONDS:-600}"
+
 mkdir -p "$folder"
 aside=$(mktemp -d "$folder/.$command-XXXXXX")
 trap 'rm -rf "$aside"' EXIT
