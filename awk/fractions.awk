@@ -21,31 +21,51 @@ function has_float(id,    k)
 }
 
 # Set top[id] and bottom[id].
-function split_fraction(id,    operator, left, right, k)
+function split_fraction(id,    operator, k)
 {
   if (id in top)
     return
-  operator = node_operator[id]
-  top[id] = id in long_integer ? new_node("number", long_integer[id], "scalar", 0, 0) : id
-  bottom[id] = one
+  take_fraction(id, id in long_integer ? new_node("number", long_integer[id], "scalar", 0, 0) : id, one)
   if (id in definition) {
     split_fraction(definition[id])
     if (bottom[definition[id]] != one)
       take_fraction(id, top[definition[id]], bottom[definition[id]])
   }
-  if (operator !~ /^(negative|if|[-+*\/])$/)
+  operator = node_operator[id]
+  if (operator !~ /^(negative|if|[-+*\/^])$/)
     return
   for (k = operator == "if" ? 2 : 1; k <= child_count[id]; k++)
     split_fraction(child[id, k])
-  right = child[id, child_count[id]]
-  left = operator == "negative" ? right : child[id, child_count[id] - 1]
-  if (operator == "negative" && bottom[left] != one)
-    take_fraction(id, unary_node("negative", top[left]), bottom[left])
-  else if (operator == "*")
+  if (operator == "negative")
+    split_negative(id, child[id, 1])
+  else if (operator == "^")
+    split_power(id, child[id, 1], child[id, 2])
+  else
+    split_operation(id, operator, child[id, child_count[id] - 1], child[id, child_count[id]])
+}
+
+function split_negative(id, operand)
+{
+  if (bottom[operand] != one)
+    take_fraction(id, unary_node("negative", top[operand]), bottom[operand])
+}
+
+function split_power(id, base, exponent)
+{
+  if (node_operator[exponent] == "negative")
+    take_fraction(id, power_of(bottom[base], child[exponent, 1]), power_of(top[base], child[exponent, 1]))
+  else if (bottom[base] != one)
+    take_fraction(id, power_of(top[base], exponent), power_of(bottom[base], exponent))
+}
+
+# Also of the branches of `if'.
+function split_operation(id, operator, left, right)
+{
+  if (operator == "*")
     take_fraction(id, times(top[left], top[right]), times(bottom[left], bottom[right]))
   else if (operator == "/")
     take_fraction(id, times(top[left], bottom[right]), times(bottom[left], top[right]))
-  else if (operator ~ /^(if|[-+])$/ && (bottom[left] != one || bottom[right] != one))
+  else if (bottom[left] != one || bottom[right] != one)
     take_fraction(id, combined(id, times(top[left], bottom[right]), times(top[right], bottom[left])), \
       times(bottom[left], bottom[right]))
 }
@@ -64,4 +84,9 @@ function combined(id, left, right)
 function times(left, right)
 {
   return left == one ? right : right == one ? left : binary_node("*", left, right)
+}
+
+function power_of(base, exponent)
+{
+  return base == one ? one : binary_node("^", base, exponent)
 }

@@ -10,13 +10,13 @@ BEGIN {
   define_local("real_power", \
     "## x^(p/q). Of a negative x it is real, as in Maxima, where p/q is a fraction with an odd denominator.\n" \
     "function y = real_power (x, p, q)\n" \
+    "  y = x .^ (p ./ q);\n" \
     "  is_fraction = p == fix (p) & q == fix (q);\n" \
     "  p = merge (is_fraction, p, 1);\n" \
     "  q = merge (is_fraction, q, 2);\n" \
     "  divisor = gcd (p, q);\n" \
-    "  has_real_root = mod (q ./ divisor, 2) == 1 & imag (x) == 0;\n" \
-    "  y = merge (x < 0 & mod (p ./ divisor, 2) == 1, -1, 1) .* abs (x) .^ (p ./ q);\n" \
-    "  y = merge (has_real_root, y, x .^ (p ./ q));\n" \
+    "  real_root = merge (x < 0 & mod (p ./ divisor, 2) == 1, -1, 1) .* abs (x) .^ (p ./ q);\n" \
+    "  y = merge (mod (q ./ divisor, 2) == 1 & imag (x) == 0, real_root, y);\n" \
     "endfunction")
   define_local("binomial", \
     "## Maxima's binomial coefficient of real numbers: a product where k or n - k is whole.\n" \

@@ -105,8 +105,8 @@ endfunction
 %!  end_unwind_protect
 %!endfunction
 %!test # a folder of any name
-%! for folder = {"own scenes", "copy (2)", "chain(2)", "it's", "a\"b", "$HOME", "#1", "naïve →", "-eval", "~", "a:b", ...
-%!               "[x]*", "%d\\n", "{a,b}", "`x` & y; z", "trailing ", "dots.and..more"}
+%! for folder = {"own scenes", "copy (2)", "chain(2)", "it's", "a\"b", "$HOME", "#1", "naïve →", "-eval", "~", ...
+%!               "a:b", "[x]*", "%d\\n", "{a,b}", "`x` & y; z", "trailing ", "dots.and..more"}
 %!   check_path (folder{1}, "rod", ["./" folder{1} "/rod.m"]);
 %!   check_path (folder{1}, "rod", ["./" folder{1} "/rod"], " (7)");
 %! endfor

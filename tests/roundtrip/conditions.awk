@@ -28,7 +28,8 @@ function condition(depth,    kind)
 {
   kind = depth ? random(7) : random(4)
   if (kind == 1)
-    return arrays ? word("x=y x#y k=2 k#2 a=b y#x") : word("k=2 k#2 a=b a#b")
+    return arrays ? word("x=y x#y k=2 k#2 a=b y#x notequal(x,y) equal(y,x)") \
+      : word("k=2 k#2 a=b a#b notequal(a,b) equal(k,2)")
   if (kind == 2)
     return exact() word("< >") word("inf minf")
   if (kind <= 4)

@@ -5,13 +5,14 @@
 BEGIN {
   for (k = 1; k <= count; k++) {
     record = int((k - 1) / batch) + 1
+    optimized = record % 4 == 3
     if (k % batch == 1 || batch == 1)
       print "simplify (" (record % 2 ? "true" : "false") ")$"
     expression = random_expression()
     print record, shape >shapes
     print "expression ('(" expression "), " (shape == "array" ? "true" : "false") ")$"
     if (k % batch == 0 || k == count)
-      print "record (" (record % 4 == 3 ? "true" : "false") ")$"
+      print "record (" (optimized ? "true" : "false") ")$"
   }
 }
 

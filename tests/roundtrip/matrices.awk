@@ -12,19 +12,22 @@ function column(depth,    kind)
 {
   if (depth <= 0)
     return word("V W")
-  kind = random(8)
+  kind = random(9)
   if (kind <= 2) return column(depth - 1) word("+ -k* *") column(depth - 1)
   if (kind == 3) return "(" scalar(0) ")*(" column(depth - 1) ")"
   if (kind == 4) return "M . (" column(depth - 1) ")"
   if (kind == 5) return word("-V V/W W^2 2^V V^k sin(V) W+a k-V V/3 3/(1+V)")
   if (kind == 6) return "(if " scalar_condition() " then " column(depth - 1) " else W)"
+  if (kind == 8) return "M^^" word("2 3 k -k -1 (k+1)") " . (" column(depth - 1) ")"
   if (kind == 7) return "(M+transpose(M)) . W*2"
   return "transpose(transpose(V) . M)"
 }
 
 function square(depth,    kind)
 {
-  kind = random(6)
+  kind = random(8)
+  if (kind == 7) return "-M^^" word("2 -1 -2 k") word("+ - *") "transpose(M)^^" word("-1 2 (1-k)")
+  if (kind == 8) return "M^" word("(1/3) (2/3) (k/3)") "*" leaf() "+M"
   if (kind == 1) return "V . transpose(" column(depth) ")"
   if (kind == 2) return "transpose(M) . M . M"
   if (kind == 3) return "(" scalar(1) ")*M" word("+ - *") "transpose(M)"

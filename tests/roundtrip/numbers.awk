@@ -7,7 +7,7 @@ function number(depth,    kind)
 {
   if (depth == 0)
     return leaf()
-  kind = depth == 3 ? random(20) : random(19)
+  kind = depth == 3 ? random(22) : random(21)
   if (kind <= 6)
     return "(" number(depth - 1) word("+ - * + * **2+") number(depth - 1) ")"
   if (kind == 7)
@@ -24,7 +24,11 @@ function number(depth,    kind)
     return conditional(depth - 1)
   if (kind == 18)
     return rounded()
-  return kind == 19 ? scalar_of_matrices(depth - 1) : long_quotient() "*" number(1)
+  if (kind == 19)
+    return repeated(depth - 1)
+  if (kind == 20)
+    return special(depth - 1)
+  return kind == 21 ? scalar_of_matrices(depth - 1) : long_quotient() "*" number(1)
 }
 
 function leaf(    kind)
@@ -59,7 +63,7 @@ function positive(depth)
 
 function power(depth,    kind)
 {
-  kind = random(11)
+  kind = random(14)
   if (kind == 1) return "(" number(depth) ")^" word("2 3 k")
   if (kind == 2) return positive(depth) "^-" word("1 2 k (1/2) 1.5")
   if (kind == 3) return positive(depth) "^(" bounded(depth) ")"
@@ -69,6 +73,10 @@ function power(depth,    kind)
   if (kind == 7) return "%e^-" leaf() "^2"
   if (kind == 8) return word("2 3") "^" word("2 k") "^(" bounded(depth) ")"
   if (kind == 9) return "(" positive(depth) "^" word("2 3") ")^" word("2 (1/3) -1.5")
+  if (kind <= 12)
+    return "(" exact() ")^(" word("1/3 2/3 5/3 3/5 2/6 k/3 2*k/7 k+1/3 k/3+1/5 1/(2*k+1)") ")"
+  if (kind == 13)
+    return "(-" positive(depth) ")^(" word("-1/3 -2/3 -k/5 1/3 4/3 k/7 k-1/3") ")"
   if (kind == 10) return positive(depth) "^-k^" word("2 (1/2)") "*" leaf()
   return word("2 k") "^-a*" leaf()
 }

@@ -72,13 +72,13 @@ endfunction
 
 ## x^(p/q). Of a negative x it is real, as in Maxima, where p/q is a fraction with an odd denominator.
 function y = real_power (x, p, q)
+  y = x .^ (p ./ q);
   is_fraction = p == fix (p) & q == fix (q);
   p = merge (is_fraction, p, 1);
   q = merge (is_fraction, q, 2);
   divisor = gcd (p, q);
-  has_real_root = mod (q ./ divisor, 2) == 1 & imag (x) == 0;
-  y = merge (x < 0 & mod (p ./ divisor, 2) == 1, -1, 1) .* abs (x) .^ (p ./ q);
-  y = merge (has_real_root, y, x .^ (p ./ q));
+  real_root = merge (x < 0 & mod (p ./ divisor, 2) == 1, -1, 1) .* abs (x) .^ (p ./ q);
+  y = merge (mod (q ./ divisor, 2) == 1 & imag (x) == 0, real_root, y);
 endfunction
 
 ## Maxima's binomial coefficient of real numbers: a product where k or n - k is whole.
