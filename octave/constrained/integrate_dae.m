@@ -96,15 +96,16 @@ endfunction
 %!  [sn, ~, ~] = ellipj (ellipke (0.5) - omega*t, 0.5);
 %!  phi = -pi/2 + 2*asin (sqrt (0.5)*sn);
 %!endfunction
-%!test
-%! for name = {"ode15i", "daspk"}
-%!   assert (turned (name{1}, [0 0.3 0.8])(2:3), exact ([0.3 0.8]), 1e-6);
-%! endfor
-%!test # what a load raises is what is said
-%! for name = {"ode15i", "daspk"}
-%!   system = pendulum ();
-%!   at = system.at;
-%!   system.at = @(t, varargin) {at, @(varargin) error("the load is lost")}{1 + (t > 0.1)}(t, varargin{:});
-%!   start = struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0);
-%!   fail ("integrate_dae (name{1}, system, [0 0.5 1], start, struct ('tolerance', 1e-8))", "the load is lost");
-%! endfor
+%!assert (turned ("daspk", [0 0.3 0.8])(2:3), exact ([0.3 0.8]), 1e-6)
+%!testif HAVE_SUNDIALS
+%! assert (turned ("ode15i", [0 0.3 0.8])(2:3), exact ([0.3 0.8]), 1e-6);
+%!function run_with_lost_load (name)   # from t = 0.1 s on
+%!  system = pendulum ();
+%!  at = system.at;
+%!  system.at = @(t, varargin) {at, @(varargin) error("the load is lost")}{1 + (t > 0.1)}(t, varargin{:});
+%!  start = struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0);
+%!  integrate_dae (name, system, [0 0.5 1], start, struct ("tolerance", 1e-8));
+%!endfunction
+%!error <the load is lost> run_with_lost_load ("daspk")
+%!testif HAVE_SUNDIALS
+%! fail ("run_with_lost_load ('ode15i')", "the load is lost");

@@ -33,11 +33,12 @@ function [states, steps] = integrate_ode15s (system, times, y, solver)
   states = states(ismember (requested, times),:).';
 endfunction
 
-%!test # a stiff oscillation, damped, that does not start at rest
+%!testif HAVE_SUNDIALS # a stiff oscillation, damped, that does not start at rest
 %! system = struct ("mass", 1, "stiffness", 1, "state_scale", [1; 1], "rate", @(t, y) [y(2); -y(1)-100*y(2)]);
 %! states = integrate_ode15s (system, [0 1 2], [1; 0], struct ("tolerance", 1e-8));
 %! roots = -50 + [1 -1]*sqrt (2499);
 %! assert (states(1,3), (roots(1)*exp (2*roots(2)) - roots(2)*exp (2*roots(1)))/diff (-roots), 1e-5);
-%!error <ode15s stopped at t = 0 s of 2 s: I(DA gave|ts Newton)>
+%!testif HAVE_SUNDIALS
 %! system = struct ("mass", 1, "stiffness", 0, "state_scale", 1, "rate", @(t, y) y^2);
-%! integrate_ode15s (system, [0 1 2], 1, struct ("tolerance", 1e-8));
+%! run = @() integrate_ode15s (system, [0 1 2], 1, struct ("tolerance", 1e-8));
+%! fail ("run ()", "ode15s stopped at t = 0 s of 2 s: I(DA gave|ts Newton)");

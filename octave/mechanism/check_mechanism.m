@@ -7,6 +7,7 @@
 function scene = check_mechanism (given)
   [fields, of_body, of_joint] = mechanism_fields ();
   scene = take_fields (given, fields, "a scene of bodies");
+  refuse_missing_solver (scene.solver.name, "radau");
   scene.bodies = checked_list (scene.bodies, of_body, "bodies", @check_body);
   scene.joints = checked_list (scene.joints, of_joint, "joints", @(joint, what) check_joint (joint, what, scene));
   scene.breaks = unique (scene.breaks(:).');

@@ -11,6 +11,7 @@ function scene = check_scene (given)
     scene_error ("a scene is a function that returns a struct, not a %s", class (given));
   endif
   scene = take_fields (given, scene_fields (), "a scene");
+  refuse_missing_solver (scene.solver.name, "lsode_bdf");
   check_section (scene.rod);
   scene.moment_breaks = unique (scene.moment_breaks(:).');
   scene.moment = moment_function (scene.moment, scene.duration);

@@ -42,7 +42,7 @@ function [table, write, draw] = precision_of_rod (scene, folder)
   cost = cost_of_size (2.^(1:6));
   table = struct ([]);
   whole = @(method, parameter) strcmp (method.name, "ode45") && parameter == 1e-6;  # what all others are measured by
-  for method = integrator_table ()
+  for method = usable_methods (integrator_table ())
     parameters = 10.^(-2:-1:-9);
     if (! method.adaptive)
       parameters = 10.^(-2:-0.5:-6);

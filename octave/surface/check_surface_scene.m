@@ -19,6 +19,7 @@ function scene = check_surface_scene (given)
     endif
     scene = setfield (scene, path{:}, value);
   endfor
+  refuse_missing_solver (scene.solver.name, "lsode_bdf");
   if (isempty (scene.rod.EI_normal))
     scene.rod.EI_normal = scene.rod.EI;
   endif
