@@ -71,8 +71,8 @@ endfunction
 %!   assert ((size(40)/size(20))^(1/20), rho, 0.1);
 %! endfor
 %!test # without coordinates, as a rigid rod in a hub, what only follows is integrated by the trapezoidal rule
-%! system = struct ("mass", [], "stiffness", [], "accelerations", ...
-%!                  struct ("rate", @(t, z) t, "form", @(y) y, "state", @(z) z));
+%! system = struct ("mass", zeros (0), "stiffness", zeros (0), "accelerations", ...
+%!                  struct ("rate", @(t, z) [t; 1], "form", @(y) y, "state", @(z) z));
 %! stepper = generalized_alpha (system, 0.5, struct ("rho_infinity", 0.8));
-%! [z, converged] = stepper.step (1, stepper.form (2));
-%! assert (converged); assert (z, 2 + 0.5*1.25, 1e-15);
+%! [z, converged] = stepper.step (1, stepper.form ([2; 3]));
+%! assert (converged); assert (z, [2 + 0.5*1.25; 3.5], 1e-15);
