@@ -9,6 +9,14 @@ function system = rod_system (scene, model)
   system = kinds{2 - isempty(scene.rotation)} (scene, model);
 endfunction
 
-%!test
-%! scene = check_scene (setfield (paper (), "model", "modes", [0 1]));
-%! assert (numel (rod_system (scene, build_model (scene, rung_of_scene (scene))).initial_state), 6);
+%!test # a hinged rod falls from rest by 3/2 g/l (less what its height takes), a hub's rod is where the hub is
+%! scene = setfield (setfield (paper (), "model", "modes", [0 0]), "moment", 0);
+%! scene.initial.phi = 0;
+%! system = rod_system (scene = check_scene (scene), build_model (scene, rung_of_scene (scene)));
+%! t = 1e-3;
+%! phi = integrate (system, [0 t], struct ("name", "auto", "tolerance", 1e-12))(1,2);
+%! assert (phi, -1.5*9.81/(1 + 0.015^2)*t^2/2, 1e-5*t^2);
+%! scene = check_scene (setfield (setfield (spin_up (), "model", "modes", [0 1]), "rotation", @(t) [3*t, 3, 0]));
+%! system = rod_system (scene, build_model (scene, rung_of_scene (scene)));
+%! motion = system.motion ([0 2], [system.initial_state, system.initial_state]);
+%! assert ([motion.phi; motion.phi_dot], [0 6; 3 3], 1e-12);

@@ -19,8 +19,19 @@ function scale = state_scale (model, scene, amplitudes)
   scale = [amplitudes; rates; energy; energy];
 endfunction
 
-%!test
-%! scene = check_scene (setfield (paper (), "model", "modes", [0 1]));
-%! scale = state_scale (build_model (scene, rung_of_scene (scene)), scene, [1; 1]);
-%! assert (numel (scale), 6);
-%! assert (scale(4), 1/1.8*7800*6e-4*(1/3 + 0.015^2/3), 1e-12);
+%!function scale = of_rod (moment, gravity, amplitudes)   # of 2 m, 9.36 kg and 1.8 s, with half a wave
+%!  scene = setfield (setfield (paper (), "model", "modes", [0 1]), "moment", moment);
+%!  [scene.rod.length, scene.gravity, scene.model.energy] = deal (2, gravity, "uniaxial");
+%!  scene.model.rotary_inertia = false;
+%!  scene = check_scene (scene);
+%!  scale = state_scale (build_model (scene, rung_of_scene (scene)), scene, amplitudes);
+%!endfunction
+%!test # coordinates, their rates by omega = pi^2/l^2 sqrt (EI/rhoA), angular momentum by J/duration
+%! scale = of_rod (0, 0, [3; 5]);
+%! E = 8.1e10*(3*1.2e11 + 2*8.1e10)/(1.2e11 + 8.1e10);
+%! omega = pi^2/4*sqrt (E*0.02*0.03^3/12/(7800*6e-4));
+%! assert (scale(1:4), [3; 5; 3*omega; 5*9.36*4/3/1.8], 1e-9*omega);
+%!test # energies by the largest of what inertia, weight and moment do, over the length
+%! assert (of_rod (0, 0, [1; 1])(5:6), 9.36*4/3/1.8^2/2*[1; 1], 1e-12);
+%! assert (of_rod (0, -9.81, [1; 1])(5:6), 9.36*9.81/2*[1; 1], 1e-9);
+%! assert (of_rod (@(t) -300*(t > 1), 1, [1; 1])(5:6), 150*[1; 1], 1e-9);

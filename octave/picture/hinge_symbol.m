@@ -41,7 +41,7 @@ endfunction
 %!test # a pin between bodies has no support
 %! hinges = struct ("x", [0 0; 1 2], "y", [0 0; 0 0], "ground", [true; false]);
 %! [ground, pins] = hinge_symbol (hinges, 2, 0.1);
-%! assert (max (ground(:,1)) < 1);
+%! assert (ground(! isnan (ground(:,1)),1) < 1);
 %! assert (max (pins(:,1)), 2.04, 1e-12);
 %!test # all are on the ground where nothing is said
 %! assert (max (hinge_symbol (struct ("x", [0; 1], "y", [0; 0]), 1, 0.1)(:,1)) > 1);

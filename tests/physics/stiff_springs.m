@@ -37,7 +37,7 @@ endfunction
 %!   [stiffest, nor_more] = stiff_springs (kind{1}, 1e9);
 %!   assert (norm (stiff - joint) < 0.02*norm (soft - joint));
 %!   assert (norm (stiffest - joint) < 1e-6);
-%!   assert (all ([no_more, nor_more] <= steps));
+%!   assert ([no_more, nor_more] <= steps);
 %! endfor
 %!test # methods of equal steps take them, too, in steps of five undamped periods of the springs and more
 %! for name = {"generalized_alpha", "variational"}
