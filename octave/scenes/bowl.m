@@ -13,4 +13,10 @@ function scene = bowl ()
   scene.view = struct ("elevation", 45, "azimuth", -40, "turning", 20);
 endfunction
 
-%!assert (bowl ().surface.name, "sphere")
+%!test # it begins within the bowl, and is pushed along its wall: across the lines from the lowest point
+%! scene = bowl ();
+%! at = [0.3 -0.2; -0.2 0.1].';
+%! velocity = scene.initial.velocity ([0 0], at);
+%! assert (dot (velocity, at), [0 0], 1e-12);
+%! assert (norm (velocity(:,1)) > 1);
+%! assert (scene.rod.length < pi/2*scene.surface.radius);

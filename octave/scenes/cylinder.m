@@ -13,4 +13,9 @@ function scene = cylinder ()
   scene.view = struct ("elevation", 40, "azimuth", -55);
 endfunction
 
-%!assert (cylinder ().surface.radius, 0.5)
+%!test # aslant across the inside: its ends differ along the cylinder and in height, and it slides down from rest
+%! scene = cylinder ();
+%! [scene.duration, scene.model.modes] = deal (0.04, [4 4]);
+%! history = driver (scene, "output", "").history;
+%! assert (abs (history.x(end,1) - history.x(1,1)) > 0.1 && abs (history.y(end,1) - history.y(1,1)) > 0.1);
+%! assert (history.T(1), 0); assert (history.Z(end) < history.Z(1));

@@ -14,4 +14,12 @@ function scene = saddle ()
   scene.view = struct ("elevation", 40, "azimuth", -60);
 endfunction
 
-%!assert (saddle ().surface.rise, 1.2)
+%!test # the surface rises one way and falls the other, the rod lies beside its middle and slides down
+%! scene = saddle ();
+%! surface = surface_functions (scene.surface);
+%! height = @(alpha_1, alpha_2) nthargout (3, surface.position, alpha_1, alpha_2);
+%! assert (height (0.3, 0) > 0 && height (0, 0.3) < 0);
+%! [scene.duration, scene.model.modes] = deal (0.04, [4 4]);
+%! history = driver (scene, "output", "").history;
+%! assert (hypot (history.x(51,1), history.y(51,1)) > 0.01);
+%! assert (history.Z(end) < history.Z(1));

@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} random_loaded_scene (@var{seed})
-## A scene drawn at random with forces along and across rods and masses at their tips: by turns a hinged rod, a rod in a
+## A scene drawn at random with forces along and across rods and masses at their tips: by turns a hinged rod, one in a
 ## hub that turns, a mechanism of two rods and one of three.
 ##
 ## Forces are scaled to the rods, so that these bend by up to some hundredths of their length and stretch by at most

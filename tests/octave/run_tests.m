@@ -1,7 +1,7 @@
 ## All %!test blocks of the files in the FOLDERS of the environment; every function file has some.
 source octave/toolchain_path.m
 root = pwd ();
-addpath (fullfile (root, "tests", "octave"), fullfile (root, "tests", "physics"));
+addpath (fullfile (root, "tests", "octave"), fullfile (root, "tests", "physics"), fullfile (root, "tests", "pairs"));
 [status, listing] = system ("find $FOLDERS -name '*.m' | sort");
 failed = 0;
 for file = strsplit (strtrim (listing), "\n")

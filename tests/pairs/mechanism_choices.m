@@ -11,7 +11,7 @@ function [base, choices] = mechanism_choices ()
   base.joints = {joint("revolute", 1, 0)};
   base.duration = 0.01;
   base.frames_per_second = 200;
-  base.solver.tolerance = 1e-5;
+  base.solver.tolerance = 1e-4;
   base.solver.step = 2e-4;
   kinds = {joint_kinds().name};
 
