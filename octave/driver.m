@@ -36,6 +36,7 @@ function result = run_scene (scene, options)
     return;
   endif
   scene = check_scene (scene);
+  announce_breaks (scene.probed);
   if (isempty (scene.title))
     scene.title = name;
   endif

@@ -12,11 +12,10 @@ function [states, count] = integrate_constrained (system, times, start, solver)
   table = constrained_table ();
   method = table(strcmp (strrep (solver.name, "auto", "radau"), {table.name}));
   states = first_states (system, times, start);
-  breaks = system.breaks(system.breaks > times(1) & system.breaks < times(end));
-  ends = [times(1), breaks, times(end)];
+  [times, ends] = meet_breaks (times, system.breaks);
   [clock, steps, y] = deal (tic (), 0, start);
   watch_rate (times(end));
-  for k = 1:(numel (ends) - 1)*(ends(end) > ends(1))
+  for k = 1:numel (ends) - 1
     inside = times >= ends(k) & times <= ends(k+1);
     stops = unique ([ends(k), times(inside), ends(k+1)]);
     [reached, taken] = method.run (within (system, ends([k k+1])), stops, y, solver);
@@ -32,7 +31,7 @@ endfunction
 
 ## loads from inside an interval, and every state counted
 function system = within (system, interval)
-  inside = interval + [1, -1].*eps (interval);
+  inside = inside_of (interval);
   at = system.at;
   system.at = @(t, q, v) at (watch_rate (t(end), min (max (t, inside(1)), inside(2))), q, v);
 endfunction

@@ -25,7 +25,7 @@ function model = build_curved_model (scene, rung)
 endfunction
 
 function yes = moment_at_O (scene)
-  yes = any (scene.moment (linspace (0, scene.duration, 1000)));
+  yes = any (scene.moment (load_times (scene)));
 endfunction
 
 %!function model = semicircle (N, degrees)

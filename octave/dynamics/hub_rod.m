@@ -7,7 +7,7 @@
 function system = hub_rod (scene, model)
   n = columns (model.basis);
   constants = rod_constants (scene, model);
-  constants.rotation = scene.rotation;
+  constants.rotation = watched_load ("rotation", scene.rotation);
   constants.slopes = {model.arrays.slope_1, model.arrays.slope_2};
   a = model.arrays;
 

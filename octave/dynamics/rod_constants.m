@@ -21,8 +21,8 @@ function constants = rod_constants (scene, model)
   if (strcmp (scene.model.moment_work, "chord"))
     constants.slopes = {zeros(size (a.slope_1)), zeros(size (a.slope_1))};
   endif
-  constants.moment = scene.moment;
-  constants.force = scene.force;
+  constants.moment = watched_load ("moment", scene.moment);
+  constants.force = watched_load ("force", scene.force);
   constants.force_arguments = {scene.force_station, model.force.shape_1, model.force.shape_2, ...
                                model.force.shortening_matrix};
 endfunction

@@ -14,7 +14,7 @@ function scale = state_scale (model, scene, amplitudes)
   rates = amplitudes/scene.duration*a.moment_of_inertia;
   rates(1:n) = amplitudes(1:n)*min ([sqrt(diag (a.stiffness_matrix)./diag (a.mass_matrix)); Inf]);
   moments = [a.moment_of_inertia/scene.duration^2, a.static_moment*abs(scene.gravity), ...
-             abs(scene.moment (linspace (0, scene.duration, 1000)))];
+             abs(scene.moment (load_times (scene)))];
   energy = max (moments)/model.length;
   scale = [amplitudes; rates; energy; energy];
 endfunction

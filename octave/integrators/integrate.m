@@ -23,14 +23,12 @@ function [states, count] = integrate (system, times, solver)
     solver.tolerance /= 400;
   endif
   start = tic ();
-  times = meet (times, system.breaks);
-  breaks = system.breaks(system.breaks > times(1) & system.breaks < times(end));
-  ends = [times(1), breaks, times(end)];
+  [times, ends] = meet_breaks (times, system.breaks);
   states = repmat (system.initial_state, 1, numel (times));
   y = system.initial_state;
   steps = 0;
   watch_rate (times(end));
-  for k = 1:(numel (ends) - 1)*(ends(end) > ends(1))
+  for k = 1:numel (ends) - 1
     interval = ends([k, k+1]);
     inside = times >= interval(1) & times <= interval(2);
     stops = unique ([interval(1), times(inside), interval(2)]);
@@ -42,16 +40,9 @@ function [states, count] = integrate (system, times, solver)
   count = struct ("method", method.name, "steps", steps, "calls", watch_rate (), "seconds", toc (start));
 endfunction
 
-## A frame time that is a break up to rounding is that break.
-function times = meet (times, breaks)
-  for t = breaks
-    times(abs (times - t) <= 1e-12*times(end)) = t;
-  endfor
-endfunction
-
 ## the system's rates, counted, with loads from inside an interval
 function system = with_loads (system, interval)
-  inside = interval + [1, -1].*eps (interval);
+  inside = inside_of (interval);
   rate = system.rate;
   system.rate = @(t, y) watch_rate (t, rate (t, y, inside));
   for form = intersect ({"momenta", "accelerations"}, fieldnames (system).')

@@ -6,11 +6,14 @@
 
 function scene = check_mechanism (given)
   [fields, of_body, of_joint] = mechanism_fields ();
-  scene = take_fields (given, fields, "a scene of bodies");
+  scene = take_fields (without_probed (given), fields, "a scene of bodies");
   refuse_missing_solver (scene.solver.name, "radau");
   scene.bodies = checked_list (scene.bodies, of_body, "bodies", @check_body);
   scene.joints = checked_list (scene.joints, of_joint, "joints", @(joint, what) check_joint (joint, what, scene));
-  scene.breaks = unique (scene.breaks(:).');
+  [scene.breaks, scene.probed] = load_breaks (joint_loads (scene.joints), scene.breaks, scene);
+  for k = 1:numel (scene.joints)
+    scene.joints(k).value = joint_value (scene.joints(k), sprintf ("joints(%d).value", k), scene.bodies);
+  endfor
 endfunction
 
 function list = checked_list (given, fields, name, check)
@@ -73,54 +76,6 @@ function joint = check_joint (joint, what, scene)
     scene_error ("%s.rest is %g: a bushing holds its points together, its rest is 0", what, joint.rest);
   endif
   joint.constant = isnumeric (joint.value);
-  joint.value = value_function (joint, what, scene);
-endfunction
-
-## values as a function of t that returns them in columns, with two rates where a constraint prescribes them
-function value = value_function (joint, what, scene)
-  kind = joint_kinds ()(strcmp ({joint_kinds().name}, joint.kind));
-  orders = 1 + 2*! isempty (kind.constraints);
-  value = joint.value;
-  if (kind.values == 0)
-    values = zeros (3);
-    values(1,3) = turned (joint, scene.bodies);  # a weld's tangents stay as they begin
-    value = @(t) values;
-    return;
-  elseif (isnumeric (value))
-    constant = zeros (orders, kind.values);
-    constant(1,:) = value;
-    value = @(t) constant;
-  else
-    value = @(t) reshape (joint.value (t), orders, kind.values);
-  endif
-  for t = [0, 0.5, 1]*scene.duration
-    try
-      got = value (t);
-    catch err
-      scene_error ("%s.value fails at t = %g: %s", what, t, err.message);
-    end_try_catch
-    if (! (isnumeric (got) && isreal (got) && all (isfinite (got(:)))))
-      scene_error ("%s.value gives %s at t = %g: it takes finite numbers", what, mat2str (got), t);
-    endif
-  endfor
-endfunction
-
-function angle = turned (joint, bodies)
-  angle = tangent_of (bodies(joint.bodies(1)), joint.stations(1));
-  if (joint.bodies(2) > 0)
-    angle -= tangent_of (bodies(joint.bodies(2)), joint.stations(2));
-  else
-    angle -= joint.direction;
-  endif
-endfunction
-
-function angle = tangent_of (body, station)
-  base = struct ();
-  if (! isempty (body.rod.curvature))
-    base.axis = rod_axis (body.rod, 16, rod_section (body.rod, body.model));
-  endif
-  [~, ~, angle] = undeformed_places (base, station);
-  angle += body.initial.phi;
 endfunction
 
 %!function scene = two ()
@@ -146,6 +101,6 @@ endfunction
 %! scene = two (); scene.bodies{1}.rod.length = -1; check_mechanism (scene);
 %!error <bodies\(2\).rod.width and>
 %! scene = two (); scene.bodies{2}.rod.width = []; check_mechanism (scene);
-%!error <joints\(3\).value gives \[1;NaN;0\] at t = 0: it takes finite numbers>
+%!error <joints\(3\).value gives \[1 NaN 0\] at t = 0: it takes 3 numbers, a row each for place, rate and acceleration>
 %! scene = two (); scene.joints{3} = struct ("kind", "angle", "bodies", 1, "stations", 0, "value", @(t) [1 NaN 0]);
 %! check_mechanism (scene);

@@ -8,6 +8,7 @@
 function result = simulate_mechanism (scene, name, output, command = "")
   start = tic ();
   scene = check_mechanism (same_modes (scene));
+  announce_breaks (scene.probed);
   scene.title = [scene.title, repmat(name, 1, isempty (scene.title))];
   scene.solver.tolerance = mechanism_tolerance (scene);
   prepare_output (output, scene);

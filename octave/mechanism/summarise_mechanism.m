@@ -18,6 +18,7 @@ function summary = summarise_mechanism (name, scene, mechanism, choice, count, h
   modes = @(model) [model.rung.longitudinal, model.rung.bending];
   summary.modes = cellfun (modes, mechanism.models, "uniformoutput", false);
   summary.stiffening = cellfun (@(model) model.rung.stiffening, mechanism.models, "uniformoutput", false);
+  summary.loads = scene.probed;
   summary.method = count.method;
   summary.tolerance_m = scene.solver.tolerance;
   summary.estimated_error_m = choice.error;

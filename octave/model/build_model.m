@@ -79,7 +79,7 @@ function stations = forced_stations (scene)
 endfunction
 
 function yes = moment_at_O (scene)
-  yes = ! isempty (scene.rotation) || any (scene.moment (linspace (0, scene.duration, 1000)));
+  yes = ! isempty (scene.rotation) || any (scene.moment (load_times (scene)));
 endfunction
 
 function followers = followers_of (arrays, k)

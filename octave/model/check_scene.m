@@ -10,13 +10,14 @@ function scene = check_scene (given)
   if (! (isstruct (given) && isscalar (given)))
     scene_error ("a scene is a function that returns a struct, not a %s", class (given));
   endif
-  scene = take_fields (given, scene_fields (), "a scene");
+  scene = take_fields (without_probed (given), scene_fields (), "a scene");
   refuse_missing_solver (scene.solver.name, "lsode_bdf");
   check_section (scene.rod);
-  scene.moment_breaks = unique (scene.moment_breaks(:).');
-  scene.moment = moment_function (scene.moment, scene.duration);
-  check_values (scene, "rotation", 3, "theta, theta_dot and theta_ddot in rad, rad/s and rad/s^2");
-  check_values (scene, "force", 2, "F_x and F_y in N");
+  [scene.moment_breaks, scene.probed] = load_breaks (loads_of (scene), scene.moment_breaks, scene);
+  if (isnumeric (scene.moment))
+    moment = scene.moment;
+    scene.moment = @(t) moment + zeros (size (t));
+  endif
   if (isempty (scene.force_station))
     scene.force_station = scene.rod.length;
   elseif (scene.force_station > scene.rod.length)
@@ -33,45 +34,19 @@ endfunction
 
 ## the tangent at O is prescribed: a moment there would do nothing, and phi follows
 function refuse_with_rotation (scene)
-  if (any (scene.moment (linspace (0, scene.duration, 1000))))
+  if (any (scene.moment (load_times (scene))))
     scene_error ("moment and rotation are both given: a hub that prescribes the rotation takes any moment at O");
   elseif (scene.initial.phi != 0 || scene.initial.phi_dot != 0)
     scene_error ("initial.phi, initial.phi_dot and rotation are both given: the rotation prescribes the angle");
   endif
 endfunction
 
-## functions of one t with so many numbers each
-function check_values (scene, name, numbers, meaning)
-  load_function = scene.(name);
-  if (isempty (load_function))
-    return;
-  endif
-  for t = [0, scene.duration/2, scene.duration]
-    try
-      value = load_function (t);
-    catch err
-      scene_error ("%s fails at t = %g: %s", name, t, err.message);
-    end_try_catch
-    if (! (isnumeric (value) && isreal (value) && numel (value) == numbers && all (isfinite (value(:)))))
-      scene_error ("%s gives %s at t = %g: it takes %d numbers, %s", name, mat2str (value), t, numbers, meaning);
-    endif
-  endfor
-endfunction
-
-function moment = moment_function (moment, duration)
-  if (isnumeric (moment))
-    moment = @(t) moment + zeros (size (t));
-  endif
-  times = [0, duration/2, duration];
-  try
-    values = moment (times);
-  catch err
-    scene_error ("moment fails at t = [%s]: %s", num2str (times), err.message);
-  end_try_catch
-  if (! (isnumeric (values) && isreal (values) && isequal (size (values), size (times)) && all (isfinite (values))))
-    scene_error ("moment gives %s at t = [%s]: it takes a vectorised function of t in N m", mat2str (values), ...
-                 num2str (times));
-  endif
+function loads = loads_of (scene)
+  loads = load_list ({
+    "moment",   scene.moment,   1, "a vectorised function of t in N m",                                   [],    true
+    "rotation", scene.rotation, 3, "3 numbers, theta, theta_dot and theta_ddot in rad, rad/s and rad/s^2", [1 2], false
+    "force",    scene.force,    2, "2 numbers, F_x and F_y in N",                                          [],    false
+  });
 endfunction
 
 %!function scene = smallest ()

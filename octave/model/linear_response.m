@@ -49,7 +49,8 @@ function [times, inside] = fine_times (scene)
   times = inside = [];
   for k = 1:numel (ends) - 1
     times = [times, linspace(ends(k), ends(k+1), 401)];
-    inside = [inside, linspace(ends(k) + eps (ends(k)), ends(k+1) - eps (ends(k+1)), 401)];
+    bounds = inside_of (ends([k, k+1]));
+    inside = [inside, linspace(bounds(1), bounds(2), 401)];
   endfor
 endfunction
 

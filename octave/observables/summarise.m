@@ -15,6 +15,7 @@ function summary = summarise (name, scene, model, choice, count, history)
   summary.energy = scene.model.energy;
   summary.moment_work = scene.model.moment_work;
   summary.rotary_inertia = logical (scene.model.rotary_inertia);
+  summary.loads = scene.probed;
   summary.method = count.method;
   summary.tolerance_m = scene.solver.tolerance;
   summary.estimated_error_m = [];

@@ -6,6 +6,7 @@
 
 function scene = check_surface_scene (given)
   fields = surface_scene_fields ();
+  given = without_probed (given);
   refuse_unknown (rmfield (given, "surface"), "", fields(:,1));
   scene = struct ("surface", given.surface);
   for field = fields.'
@@ -38,10 +39,15 @@ function scene = check_surface_scene (given)
   if (ischar (scene.model.modes) && any (scene.model.sines))
     scene_error ("model.sines are beside so many polynomials as model.modes says: give it, [4 4] say, not \"auto\"");
   endif
-  scene.moment_breaks = unique (scene.moment_breaks(:).');
-  scene.moment = load_function (scene.moment, "moment", 1, scene.duration);
-  scene.tip_moment = load_function (scene.tip_moment, "tip_moment", 1, scene.duration);
-  scene.force = load_function (scene.force, "force", 3, scene.duration);
+  loads = load_list ({
+    "moment",     scene.moment,     1, "a number in N m",                  [], false
+    "tip_moment", scene.tip_moment, 1, "a number in N m",                  [], false
+    "force",      scene.force,      3, "3 numbers, F_x, F_y and F_z in N", [], false
+  });
+  [scene.moment_breaks, scene.probed] = load_breaks (loads, scene.moment_breaks, scene);
+  for name = {"moment", "tip_moment", "force"}
+    scene.(name{1}) = load_function (scene.(name{1}));
+  endfor
 endfunction
 
 function check_value (name, value, kind)
@@ -79,21 +85,11 @@ function refuse_unknown (given, prefix, names)
   endfor
 endfunction
 
-function f = load_function (given, name, numbers, duration)
+function f = load_function (given)
   f = given;
   if (isnumeric (given))
     f = @(t) given(:);
   endif
-  for t = [0, duration/2, duration]
-    try
-      value = f (t);
-    catch err
-      scene_error ("%s fails at t = %g: %s", name, t, err.message);
-    end_try_catch
-    if (! (isnumeric (value) && isreal (value) && numel (value) == numbers && all (isfinite (value(:)))))
-      scene_error ("%s gives %s at t = %g: it takes %d numbers", name, mat2str (value), t, numbers);
-    endif
-  endfor
 endfunction
 
 %!function scene = smallest ()

@@ -8,6 +8,7 @@
 function result = drive_surface (scene, name, output, command = "")
   start = tic ();
   scene = check_surface_scene (scene);
+  announce_breaks (scene.probed);
   if (isempty (scene.title))
     scene.title = name;
   endif

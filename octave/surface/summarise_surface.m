@@ -15,6 +15,7 @@ function summary = summarise_surface (name, run, choice)
   summary.modes = scene.model.modes;
   summary.sines = scene.model.sines;
   summary.ends = scene.ends;
+  summary.loads = scene.probed;
   summary.method = count.method;
   summary.tolerance_m = scene.solver.tolerance;
   summary.estimated_error_m = choice.error_m;

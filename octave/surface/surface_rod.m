@@ -14,6 +14,9 @@
 
 function system = surface_rod (scene)
   surface = surface_functions (scene.surface);
+  for name = {"moment", "tip_moment", "force"}
+    scene.(name{1}) = watched_load (name{1}, scene.(name{1}));
+  endfor
   system.place = place_rod (scene, surface);
   system.surface = surface;
   system.n = columns (system.place.basis);

@@ -1,0 +1,19 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{times} =} load_times (@var{scene})
+## Times (1-by-m, s) at which whatever the moment of a checked scene with one rod does is seen: 1000 of the run, and 21
+## from each of its breaks to the next, from inside.
+## @end deftypefn
+
+function times = load_times (scene)
+  breaks = scene.moment_breaks;
+  ends = unique ([0, breaks(breaks > 0 & breaks < scene.duration), scene.duration]);
+  times = linspace (0, scene.duration, 1000);
+  for k = 1:numel (ends) - 1
+    inside = inside_of (ends([k, k+1]));
+    times = [times, linspace(inside(1), inside(2), 21)];
+  endfor
+endfunction
+
+%!test # a pulse of a ten-thousandth of the run
+%! scene = struct ("duration", 100, "moment_breaks", [50.003 50.013]);
+%! assert (any (load_times (scene) > 50.003 & load_times (scene) < 50.013));

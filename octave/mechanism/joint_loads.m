@@ -1,0 +1,31 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{loads} =} joint_loads (@var{joints})
+## The values of a mechanism's @var{joints} that are functions of time, loads and prescribed motions, as the struct
+## array of @code{load_list}.
+## @end deftypefn
+
+function loads = joint_loads (joints)
+  rows = cell (0, 6);
+  for k = 1:numel (joints)
+    [numbers, orders] = value_size (joints(k));
+    all = numbers*orders;
+    takes = sprintf ("%d numbers", all);
+    prescribed = [];
+    if (orders == 3)
+      takes = sprintf ("%d numbers, a row each for place, rate and acceleration", all);
+      prescribed = find (mod (1:all, 3) > 0);
+    endif
+    if (all > 0)
+      rows(end+1,:) = {sprintf("joints(%d).value", k), joints(k).value, all, takes, prescribed, false};
+    endif
+  endfor
+  loads = load_list (rows);
+endfunction
+
+%!test # a force and a prescribed place; a number and a revolute joint are none
+%! kinds = {"revolute", "force", "position", "moment"};
+%! joints = struct ("kind", kinds, "value", {0, @(t) [1 t], @(t) zeros (3, 2), 5});
+%! loads = joint_loads (joints);
+%! assert ({loads.name}, {"joints(2).value", "joints(3).value"});
+%! assert (loads(2).prescribed, [1 2 4 5]); assert (loads(2).numbers, 6);
+%!assert (isempty (joint_loads (struct ("kind", {}, "value", {}))))

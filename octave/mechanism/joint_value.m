@@ -1,0 +1,49 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{value} =} joint_value (@var{joint}, @var{name}, @var{bodies})
+## The value of a checked @var{joint} between the @var{bodies} of its scene as a function of t that returns its numbers
+## in columns, with two rates below them where a constraint prescribes them.  Errors call it by its @var{name}.
+## @end deftypefn
+
+function value = joint_value (joint, name, bodies)
+  [numbers, orders] = value_size (joint);
+  if (numbers == 0)
+    values = zeros (3);
+    values(1,3) = turned (joint, bodies);  # a weld's tangents stay as they begin
+    value = @(t) values;
+  elseif (isnumeric (joint.value))
+    if (numel (joint.value) != numbers && ! isequal (joint.value, 0))
+      scene_error ("%s is %s: it takes %d numbers or a function of t", name, mat2str (joint.value), numbers);
+    endif
+    constant = zeros (orders, numbers);
+    constant(1,:) = joint.value;
+    value = @(t) constant;
+  else
+    watched = watched_load (name, joint.value);
+    value = @(t) reshape (watched (t), orders, numbers);
+  endif
+endfunction
+
+function angle = turned (joint, bodies)
+  angle = tangent_of (bodies(joint.bodies(1)), joint.stations(1));
+  if (joint.bodies(2) > 0)
+    angle -= tangent_of (bodies(joint.bodies(2)), joint.stations(2));
+  else
+    angle -= joint.direction;
+  endif
+endfunction
+
+function angle = tangent_of (body, station)
+  base = struct ();
+  if (! isempty (body.rod.curvature))
+    base.axis = rod_axis (body.rod, 16, rod_section (body.rod, body.model));
+  endif
+  [~, ~, angle] = undeformed_places (base, station);
+  angle += body.initial.phi;
+endfunction
+
+%!assert (joint_value (struct ("kind", "position", "value", [1 2]), "joints(1).value", []) (5), [1 2; 0 0; 0 0])
+%!assert (joint_value (struct ("kind", "force", "value", @(t) [t 1]), "joints(1).value", []) (5), [5 1])
+%!error <joints\(1\).value is \[1 2 3\]: it takes 2 numbers or a function of t>
+%! joint_value (struct ("kind", "force", "value", [1 2 3]), "joints(1).value", []);
+%!error <joints\(4\).value gives a number that is not finite at t = 2>
+%! joint_value (struct ("kind", "force", "value", @(t) [t NaN]), "joints(4).value", []) (2);

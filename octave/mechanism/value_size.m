@@ -1,0 +1,18 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{numbers}, @var{orders}] =} value_size (@var{joint})
+## How many @var{numbers} the value of a @var{joint} has (see @code{joint_kinds}), and in how many @var{orders} of
+## time: 3, with its rates, where a constraint prescribes it, else 1.
+## @end deftypefn
+
+function [numbers, orders] = value_size (joint)
+  kinds = joint_kinds ();
+  kind = kinds(strcmp ({kinds.name}, joint.kind));
+  numbers = kind.values;
+  orders = 1 + 2*! isempty (kind.constraints);
+endfunction
+
+%!test
+%! [numbers, orders] = value_size (struct ("kind", "position"));
+%! assert ([numbers, orders], [2 3]);
+%! [numbers, orders] = value_size (struct ("kind", "moment"));
+%! assert ([numbers, orders], [1 1]);
