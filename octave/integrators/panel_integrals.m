@@ -24,8 +24,8 @@ function I = panel_integrals (z, x, m)
     I(find (near) + (k - 1)*n,:) = kernel*T(k:columns (x):end,:);
   endfor
   if (any (far(:)))
-    of_row = repmat (x, n, 1)(far);
-    I(far(:),:) = of_row.*by_parts (turned(far), of_row, m);
+    of_row = repmat (x, n, 1)(far(:))(:);
+    I(far(:),:) = of_row.*by_parts (turned(far(:))(:), of_row, m);
   endif
 endfunction
 
@@ -73,3 +73,5 @@ endfunction
 %!test # all digits of a response to T_0, (exp (z) - 1)/z, from still to fast
 %! z = 1i*[1e-9; 1e-3; 1; 30; 1e3; 1e6];
 %! assert (panel_integrals (z, 1, 8)(:,1), expm1 (z)./z, -1e-14);
+%!test # one z and several fractions, as for several z
+%! assert (panel_integrals (-1e3, [0.3 1], 8), panel_integrals ([-1e3; 5], [0.3 1], 8)([1 3],:), 1e-18);
