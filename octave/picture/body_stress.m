@@ -5,10 +5,11 @@
 ## @end deftypefn
 
 function [stress, range, unit] = body_stress (bodies)
-  values = cellfun (@(values) values(:), {bodies.stress}, "UniformOutput", false);
+  stress = cellfun (@drawable, {bodies.stress}, "UniformOutput", false);
+  values = cellfun (@(values) values(:), stress, "UniformOutput", false);
   values = vertcat (0, values{:});
   [scale, unit] = unit_prefix (values, "Pa");
-  stress = cellfun (@(values) values / scale, {bodies.stress}, "UniformOutput", false);
+  stress = cellfun (@(values) values / scale, stress, "UniformOutput", false);
   range = [min(values), max(values)] / scale;
   if (range(1) == range(2))
     range = [0 1];

@@ -1,15 +1,16 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{quoted} =} gnuplot_string (@var{text})
-## @var{text} as a string of gnuplot, on one line.
+## @var{text} as a string of gnuplot, on one line, without characters that control something.  It is put together of
+## what stands between its apostrophes: gnuplot takes a doubled one for the end of a string that begins with it.
 ## @end deftypefn
 
 function quoted = gnuplot_string (text)
-  quoted = ["'" strrep(regexprep (text, '\s', " "), "'", "''") "'"];
+  quoted = ["'" strrep(regexprep (text, '[\s[:cntrl:]]', " "), "'", "'.\"'\".'") "'"];
 endfunction
 
-%!assert (gnuplot_string ("it's"), "'it''s'")
+%!assert (gnuplot_string ("it's"), "'it'.\"'\".'s'")
 %!test # gnuplot reads the text back
-%! text = "it's \"a_b\" `x` $y \\n 100 %";
+%! text = "''it's \"a_b\" `x` $y \\n 100 %'\\";
 %! file = tempname ();
 %! unwind_protect
 %!   fid = fopen (file, "w");

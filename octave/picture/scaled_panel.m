@@ -5,7 +5,7 @@
 ## @end deftypefn
 
 function [label, values] = scaled_panel (panel)
-  values = panel.values;
+  values = drawable (panel.values);
   unit = panel.unit;
   if (any (strcmp (unit, {"m", "J", "N", "N m", "Pa", "s"})))
     [scale, unit] = unit_prefix (values, unit);
