@@ -19,6 +19,7 @@ function model = build_curved_model (scene, rung)
   at_O = curved_functions (model.base, model.base.axis, 0);
   [model.arrays.slope_1, model.arrays.slope_2] = deal (at_O.e.', at_O.chi.');
   [model.arrays.follower_dd, model.arrays.follower_ds, model.arrays.follower_ss] = deal (0);
+  [model.arrays.follower_fd, model.arrays.follower_fs, model.arrays.follower_ff] = deal (0);
   tip = curved_functions (model.base, model.base.axis, model.length);
   model.force = struct ("shape_1", tip.u_1.', "shape_2", tip.u_2.', ...
                         "shortening_matrix", zeros (size (arrays.mass_matrix)));

@@ -16,6 +16,9 @@
 function system = hinged_rod (scene, model)
   n = columns (model.basis);
   constants = rod_constants (scene, model);
+  if (constants.pulls_followers)
+    refuse_momenta (scene.solver.name);
+  endif
   a = model.arrays;
   system.mass = [a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia];
   system.stiffness = blkdiag (a.stiffness_matrix, 0);
@@ -33,9 +36,18 @@ function system = hinged_rod (scene, model)
   system.turned = isempty (model.rung.sines);
   system.duration = scene.duration;
   system.gravity = scene.gravity;
+  system.force = scene.force;
   system.longest_step = longest_step (model);
   system.breaks = scene.moment_breaks;
   system.state_scale = state_scale (model, scene, [ones(n, 1); 1/model.length]);
+endfunction
+
+## methods on other forms of the state, which are made of it without the time
+function refuse_momenta (name)
+  if (any (strcmp (name, {"stormer_verlet", "implicit_midpoint", "trigonometric", "generalized_alpha"})))
+    scene_error (["solver.name is \"%s\": with longitudinal modes without inertia a force changes the momentum of" ...
+                  " phi at once; take waveform, or model.axial = \"dynamic\""], name);
+  endif
 endfunction
 
 function y = initial_state (initial, model, c)
@@ -58,3 +70,7 @@ endfunction
 %! y_dot = system.rate (1, system.initial_state, [0.3 1.8]);
 %! J = 7800*6e-4/3 + 7800*0.02*2*0.015^3/3; S = 7800*6e-4/2;
 %! assert (y_dot(2), -9.81*S*cos (pi/6), 1e-12);
+%!error <solver.name is "trigonometric": with longitudinal modes without inertia a force changes the momentum of phi at once; take waveform, or model.axial = "dynamic">
+%! scene = setfield (setfield (paper (), "force", @(t) [1 0]), "model", struct ("modes", [1 1], "axial", "quasistatic"));
+%! scene = check_scene (setfield (scene, "solver", "name", "trigonometric"));
+%! hinged_rod (scene, build_model (scene, rung_of_scene (scene)));

@@ -16,9 +16,10 @@ function y_dot = hinged_rod_rate (t, y, interval, n, c)
     [V_ddot, phi_dot, torque, power, dissipated] = rod_rates (
       phi, p, V, V_dot, c.inverse_mass_matrix, c.arguments{:}, c.moment (t), c.slopes{:});
   else
-    F = at_times (c.force, t);
+    c.interval = interval;
+    F = num2cell (force_at (t, c), 2);
     [V_ddot, phi_dot, torque, power, dissipated] = rod_rates_with_force (
-      phi, p, V, V_dot, c.inverse_mass_matrix, c.arguments{:}, c.moment (t), c.slopes{:}, F(1,:), F(2,:), ...
+      phi, p, V, V_dot, c.inverse_mass_matrix, c.arguments{:}, c.moment (t), c.slopes{:}, F{:}, ...
       c.force_arguments{:});
   endif
   y_dot = [V_dot; phi_dot; V_ddot; torque; power; dissipated];

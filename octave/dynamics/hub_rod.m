@@ -28,6 +28,7 @@ function system = hub_rod (scene, model)
   system.turned = isempty (model.rung.sines);
   system.duration = scene.duration;
   system.gravity = scene.gravity;
+  system.force = scene.force;
   system.longest_step = longest_step (model);
   system.breaks = scene.moment_breaks;
   system.state_scale = state_scale (model, scene, ones (n, 1));

@@ -22,8 +22,9 @@ function z_dot = rate (t, z, interval, n, c)
   [force_V, torque, power, dissipated] = rod_momentum_rates (phi, phi_dot, V, V_dot, c.arguments{:}, ...
                                                              c.moment (t), c.slopes{:});
   if (! isempty (c.force))
-    F = at_times (c.force, t);
-    [load_V, load_phi, load_power] = rod_point_force (phi, phi_dot, V, V_dot, F(1,:), F(2,:), c.force_arguments{:});
+    F = num2cell (force_at (t, c), 2);
+    [load_V, load_phi, load_power] = rod_point_force (phi, phi_dot, V, V_dot, c.energy_arguments{8}, F{:}, ...
+                                                      c.force_arguments{:});
     [force_V, torque, power] = deal (force_V + load_V, torque + load_phi, power + load_power);
   endif
   z_dot = [V_dot; phi_dot; force_V; torque; power; dissipated];

@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{constants} =} rod_constants (@var{scene}, @var{model})
 ## What the rates and forces of a rod need besides its state: a struct of inverse_mass_matrix and mass_matrix, the
-## loads moment (t) and force (t), and lists of arguments of the generated functions: arguments (from the mass matrix
+## loads moment (t) and force (t), pulls_followers (whether longitudinal modes without inertia follow the force; see
+## @code{force_at}), interval ([start, end], s, without a jump of the loads: all times) and lists of arguments of the generated functions: arguments (from the mass matrix
 ## to the damping, in the order of @code{rod_equations}), energy_arguments, stiffness_arguments, slopes (where the
 ## moment works) and force_arguments.
 ## @end deftypefn
@@ -23,8 +24,10 @@ function constants = rod_constants (scene, model)
   endif
   constants.moment = watched_load ("moment", scene.moment);
   constants.force = watched_load ("force", scene.force);
+  constants.pulls_followers = ! isempty (scene.force) && ! isempty (model.followers);
+  constants.interval = [0, scene.duration];
   constants.force_arguments = {scene.force_station, model.force.shape_1, model.force.shape_2, ...
-                               model.force.shortening_matrix};
+                               model.force.shortening_matrix, a.follower_fd, a.follower_fs, a.follower_ff};
 endfunction
 
 %!test

@@ -36,7 +36,7 @@ function model = build_model (scene, rung)
   model.arrays = project_arrays (arrays, model.basis);
   model.followers = [];
   if (strcmp (rung.axial, "quasistatic"))
-    model.followers = followers_of (arrays, 1:N1);
+    model.followers = followers_of (arrays, 1:N1, functions_at (model.base, scene.force_station));
   endif
   model.arrays = set_followers (model.arrays, model.followers);
 
@@ -82,17 +82,21 @@ function yes = moment_at_O (scene)
   yes = ! isempty (scene.rotation) || any (scene.moment (load_times (scene)));
 endfunction
 
-function followers = followers_of (arrays, k)
+function followers = followers_of (arrays, k, along)
   followers.flexibility = inv (arrays.stiffness_matrix(k,k));
   followers.centrifugal_vector = arrays.centrifugal_vector(k);
   followers.first_moment_1 = arrays.first_moment_1(k);
+  followers.shape_1 = along(k).';
 endfunction
 
 function arrays = set_followers (arrays, followers)
   [arrays.follower_dd, arrays.follower_ds, arrays.follower_ss] = deal (0);
+  [arrays.follower_fd, arrays.follower_fs, arrays.follower_ff] = deal (0);
   if (! isempty (followers))
-    [F, d, s] = deal (followers.flexibility, followers.centrifugal_vector, followers.first_moment_1);
+    [F, d, s, e] = deal (followers.flexibility, followers.centrifugal_vector, followers.first_moment_1, ...
+                         followers.shape_1);
     [arrays.follower_dd, arrays.follower_ds, arrays.follower_ss] = deal (d.'*F*d, d.'*F*s, s.'*F*s);
+    [arrays.follower_fd, arrays.follower_fs, arrays.follower_ff] = deal (e.'*F*d, e.'*F*s, e.'*F*e);
   endif
 endfunction
 
@@ -107,6 +111,6 @@ endfunction
 %! rung = struct ("sines", [], "bending", 0, "longitudinal", 0, "axial", "quasistatic", "stiffening", "none");
 %! model = build_model (scene, rung);
 %! V1 = rod_followers (0, 6, 0, model.followers.flexibility, model.followers.centrifugal_vector, ...
-%!                     model.followers.first_moment_1);
+%!                     model.followers.first_moment_1, 0, 0, model.followers.shape_1);
 %! [along, across] = functions_at (model.base, 10);
 %! assert (along*V1, 1.2*6^2*10^3/(3*2.8e7), 2e-5*5.14e-4);

@@ -17,17 +17,24 @@ function history = measure (system, model, times, states)
   N1 = numel (model.base.longitudinal);
   followers = model.followers;
   a = model.arrays;
+  F = {0*times, 0*times};
+  if (! isempty (system.force))
+    F = num2cell (at_times (system.force, times), 2).';
+  endif
   if (! isempty (followers))
     history.V(1:N1,:) = rod_followers (motion.phi, motion.phi_dot, system.gravity, followers.flexibility, ...
-                                       followers.centrifugal_vector, followers.first_moment_1);
+                                       followers.centrifugal_vector, followers.first_moment_1, F{:}, ...
+                                       followers.shape_1);
   endif
   history.psi = rod_tangent_angle (motion.phi, motion.q, a.slope_1, a.slope_2) + ...
       nthargout (3, @undeformed_places, model.base, 0);
   E = system.energies (motion.phi, motion.phi_dot, motion.q, motion.q_dot);
-  [history.T, history.U, history.Z] = deal (E(1,:), E(2,:), E(3,:));
+  [T, U, Z, W] = rod_pulled_followers (motion.phi, motion.phi_dot, system.gravity, F{:}, a.follower_fd, ...
+                                       a.follower_fs, a.follower_ff);
+  [history.T, history.U, history.Z] = deal (E(1,:) + T, E(2,:) + U, E(3,:) + Z);
   history.V_names = mode_names (model.base);
   [history.tip_x, history.tip_y] = centreline (model, model.length, history, 1);
-  history.W = states(end-1,:);
+  history.W = states(end-1,:) + W;
   history.D = states(end,:);
   history.balance = history.T + history.U + history.Z + history.D - history.W;
   history.energy_floor = energy_floor (a.moment_of_inertia, system.duration);
