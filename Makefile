@@ -17,7 +17,7 @@ run_octave = $(OCTAVE) --norc --no-gui --no-history --quiet
 derive_everything = maxima/derive "$$GENERATED" "$(MODES_LITERAL)"
 derive_surface = maxima/derive_surface "$${OUTPUT:-output/surfaces}" "$$SURFACE"
 
-.PHONY: help setup derive equations simulate models chart stability choices surfaces conditioning check fuzz clean dist
+.PHONY: help setup derive equations simulate models chart stability choices surfaces conditioning check systems fuzz clean dist
 
 help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
@@ -33,6 +33,8 @@ help:
 	@echo 'make choices     all scenes that choose and 60 random ones: chosen models against far richer ones'
 	@echo 'make surfaces    convergence in modes of the scenes on surfaces: table and chart'
 	@echo 'make conditioning    condition number of the mass matrix of arcs against the number of base functions: table'
+	@echo 'make systems     setup, simulate and check in clean Debian 12, 13 and testing, as root' \
+		'[SYSTEMS="trixie" SUITES="rebuild awk" ROOTS=folder]'
 	@echo 'make fuzz        more of the random round trip [N=10000 SEED=1]'
 	@echo 'make dist        an archive of the sources'
 	@echo 'make clean       remove what runs have written'
@@ -70,11 +72,15 @@ surfaces:
 check:
 	@tests/check
 
+systems:
+	@tests/systems/run
+
 fuzz:
 	@tests/roundtrip/run
 
 clean:
-	rm -rf output generated/.derive-* $(filter-out generated/literal_7_7_%,$(wildcard generated/literal_*))
+	rm -rf output maxima/binary maxima/test-directory-cached \
+		generated/.derive-* $(filter-out generated/literal_7_7_%,$(wildcard generated/literal_*))
 
 dist:
 	@name=elastic-rod-$(VERSION) && mkdir -p output && \
