@@ -17,7 +17,8 @@ run_octave = $(OCTAVE) --norc --no-gui --no-history --quiet
 derive_everything = maxima/derive "$$GENERATED" "$(MODES_LITERAL)"
 derive_surface = maxima/derive_surface "$${OUTPUT:-output/surfaces}" "$$SURFACE"
 
-.PHONY: help setup derive equations simulate models chart stability choices surfaces conditioning check systems fuzz clean dist
+.PHONY: help setup derive equations simulate models chart stability choices surfaces conditioning check systems fuzz \
+	clean dist
 
 help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
