@@ -18,6 +18,7 @@ function drawing = mechanism_drawing (scene, mechanism, history)
     body.stress = bending_stress (rod, model, stations, history.bodies(k).V);
     drawing.bodies(k) = body;
   endfor
+  drawing.notes = stress_notes ([scene.bodies.rod], drawing.bodies);
   drawing.hinges = pins (scene, mechanism, history);
   drawing.strips = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions"});
   drawing.panels = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions", "energies"});

@@ -9,6 +9,9 @@ function summary = draw_run (folder, scene, summary, start, draw)
   drawing_start = tic ();
   show_progress (sprintf ("drawing %d frames ", summary.frames));
   drawing = draw ();
+  if (isfield (drawing, "notes"))
+    summary.notes = drawing.notes;
+  endif
   summary.seconds.drawing = toc (drawing_start);
   [missing, warnings, seconds] = draw_pictures (drawing, folder);
   before = [summary.warnings, warnings];
