@@ -20,7 +20,7 @@ function [states, steps] = integrate_radau (system, times, start, solver)
       to_go = times(k) - t;
       pieces = ceil (to_go/h*(1 - 1e-9));
       step = to_go/pieces;
-      [next, error_ratio, stages, why] = radau_step (system, rule, t, y, step, last, solver.tolerance);
+      [next, error_ratio, stages, why] = radau_step (system, rule, t, y, step, last, solver.tolerance, refused > 1);
       steps++;
       if (error_ratio <= 1)
         t = [t + step, times(k)](1 + (pieces == 1));

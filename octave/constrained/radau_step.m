@@ -1,14 +1,17 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{next}, @var{error_ratio}, @var{stages}, @var{why}] =} radau_step (@var{system}, @var{rule}, @
-##   @var{t}, @var{y}, @var{h}, @var{last}, @var{tolerance})
+##   @var{t}, @var{y}, @var{h}, @var{last}, @var{tolerance}, @var{whole})
 ## One step of @code{integrate_radau} from the state @var{y} (q, v, a, lambda, sigma, W, D) at @var{t} to t + @var{h}
 ## (s).  The @var{stages} of the @var{last} step give the first guess.  @var{error_ratio} > 1: refused, and @var{why}.
 ##
 ## The springs' tensions sigma are unknowns of Newton's iteration, as multipliers are: for stiff springs it converges
 ## then as for the joints that they tend to; otherwise k would multiply what their directions turn within the step.
+##
+## Newton's matrix is that of the middle stage, or, where @var{whole} is true, of every stage where it is: beyond a
+## singular position the constraints' gradients point the other way, and with one matrix it would not pass.
 ## @end deftypefn
 
-function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, last, tolerance)
+function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, last, tolerance, whole = false)
   [n, c] = deal (system.n, system.constraint_count);
   scale = tolerance*system.q_scale;
   [q, v, lambda, sigma] = first_guess (rule, y, h, last);
@@ -35,7 +38,11 @@ function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, l
       why = "its loads or states are no numbers";
       return;
     endif
-    step = solve_stages (rule, factors, -residual);
+    if (whole)
+      step = solve_whole (system, rule, factors, t, q, v, mass, tangent, -residual);
+    else
+      step = solve_stages (rule, factors, -residual);
+    endif
     q += step(1:n,:);
     v += step(n+1:2*n,:);
     lambda += step(2*n+1:2*n+c,:)*factors.unit;
@@ -91,6 +98,20 @@ function step = solve_stages (rule, factors, right)
     w(:,2*i-1) = [conj(w(:,k)), w(:,k)](:,1 + (i == 1));
   endfor
   step = real (w*rule.T.');
+endfunction
+
+function step = solve_whole (system, rule, factors, t, q, v, mass, tangent, right)
+  matrix = kron (inv (rule.A)/factors.h, factors.rates);
+  width = rows (right);
+  for i = 1:numel (rule.c)
+    [~, jacobian, spring_jacobian] = system.matrices (system.at (t + factors.h*rule.c(i), q(:,i), v(:,i)));
+    own = (i - 1)*width + (1:width);
+    matrix(own,own) += radau_matrix (0, factors.h, mass, tangent, system.damping_matrix, jacobian, spring_jacobian, ...
+                                     factors.springs);
+  endfor
+  warning_state = warning ("off", "all");
+  step = reshape (matrix \ right(:), width, []);
+  warning (warning_state);
 endfunction
 
 ## filtered by the real factors, so that stiff modes count as what they will be

@@ -1,0 +1,33 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{matrix}, @var{unit}, @var{compliance}] =} radau_matrix (@var{g}, @var{h}, @var{M}, @var{K}, @
+##   @var{D}, @var{J}, @var{S}, @var{springs})
+## The matrix of Newton's iteration for one stage of a step of @var{h} (s) of @code{radau_step}, where rates are
+## @var{g} (1/s) times what q and v change by.
+##
+## Unknowns are q, v, lambda, mu and the tensions, these three in units of the mass (@var{unit}, kg), so that rows and
+## columns are of like size.  Mass @var{M}, tangents @var{K} and @var{D} (n-by-n), @var{J} = Phi_q, and @var{S}, the
+## derivatives of the elongations of the @var{springs} (see @code{spring_forces}); a spring's row is that of its
+## elongation over the step, times its @var{compliance} (springs-by-1).
+## @end deftypefn
+
+function [matrix, unit, compliance] = radau_matrix (g, h, M, K, D, J, S, springs)
+  [c, n] = size (J);
+  e = rows (S);
+  diagonal = @(x) spdiags (x, 0, e, e);
+  unit = full (mean (abs (diag (M))));
+  compliance = unit./max (h*springs.stiffness + springs.damping, eps);
+  [no_ties, no_tie, no_spring] = deal (sparse (c, c), sparse (c, n), sparse (c, e));
+  by_place = -diagonal (compliance.*springs.stiffness)*S;
+  by_rate = -diagonal (compliance.*springs.damping)*S;
+  J *= unit;
+  matrix = [g*M, -M, no_tie.', J.', sparse(n, e)
+            K, g*M + D, J.', no_tie.', unit*S.'
+            J/h, no_tie, no_ties, no_ties, no_spring
+            no_tie, J, no_ties, no_ties, no_spring
+            by_place, by_rate, no_spring.', no_spring.', unit*diagonal(compliance)];
+endfunction
+
+%!test # what the rate does to a mass, and what a joint does to it
+%! none = struct ("stiffness", zeros (0, 1), "damping", zeros (0, 1));
+%! A = radau_matrix (3, 0.5, sparse (2), sparse (1), sparse (4), sparse (1), sparse (0, 1), none);
+%! assert (full (A), [6 -2 0 2; 1 10 2 0; 4 0 0 0; 0 2 0 0]);
