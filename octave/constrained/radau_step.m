@@ -49,12 +49,13 @@ function [next, error_ratio, stages, why] = radau_step (system, rule, t, y, h, l
     mu += step(2*n+c+1:2*n+2*c,:)*factors.unit;
     sigma += step(2*n+2*c+1:end,:)*factors.unit;
     [before, change] = deal (change, max (max (abs ([step(1:n,:); h*step(n+1:2*n,:)])./[scale; scale])));
-    if (! (change < 1e8) || (iteration > 3 && change > 0.9*before && change > 1e-6))
-      return;
-    elseif (change <= 1e-3 && max (abs (at.constraints.residual)(:)) <= 1e-11 ...
-            && max (abs (at.constraints.velocity)(:)) <= 1e-9 || change < 1e-7)
+    met = all (abs (at.constraints.residual)(:) <= 1e-11) && all (abs (at.constraints.velocity)(:) <= 1e-9);
+    settled = change <= 0.05 && change > before/2 && met;  # as near as rounding lets it, at a singular position
+    if (change < 1e-7 || (change <= 1e-3 && met) || (whole && settled))
       why = "its steps shrank to nothing";
       break;
+    elseif (! (change < 1e8) || (iteration > 3 && change > 0.9*before && change > 1e-6))
+      return;
     endif
   endfor
   if (iteration == 15)

@@ -1,19 +1,25 @@
 ## -*- texinfo -*-
-## @deftypefn {} {} refuse_dependent (@var{system}, @var{t}, @var{jacobian})
+## @deftypefn {} {} refuse_dependent (@var{system}, @var{t}, @var{jacobian}, @var{tolerance})
 ## An error that names the joints whose constraints depend on those of the others at the time @var{t} (s), by the rank
-## of their @var{jacobian}; nothing where there are none and t is 0.
+## of their @var{jacobian} to the @var{tolerance} (default 1e-10): of the scene where t is 0, later of the integration,
+## which came to a singular position.  Nothing where no constraints depend on others and t is 0, or the tolerance is
+## given.
 ## @end deftypefn
 
-function refuse_dependent (system, t, jacobian)
+function refuse_dependent (system, t, jacobian, tolerance = [])
   [~, R, order] = qr (full (jacobian.'), 0);
   sizes = abs (diag (R));
-  rank = sum (sizes > 1e-10*max ([sizes; 0]));
+  rank = sum (sizes > [tolerance, 1e-10](1)*max ([sizes; 0]));
   spare = order(rank+1:end);
   if (! isempty (spare))
-    names = unique (system.mechanism.constraints.names(spare));
-    scene_error ("at t = %g s %d of %d constraints depend on the others, those of %s: %s", t, numel (spare), ...
-                 rows (jacobian), strjoin (names, ", "), "take a joint of another kind there, or none");
-  elseif (t > 0)
+    names = strjoin (unique (system.mechanism.constraints.names(spare)), ", ");
+    what = sprintf ("%d of %d constraints depend on the others, those of %s", numel (spare), rows (jacobian), names);
+    if (t == 0)
+      scene_error ("at t = 0 s %s: take a joint of another kind there, or none", what);
+    endif
+    stop_integration ("mechanism", system, t, system.duration, NaN, ["it came to a singular position: " what], ...
+                      "a motion that does not come there, or joints that leave it a way on");
+  elseif (t > 0 && isempty (tolerance))
     stop_integration ("mechanism", system, t, system.duration, NaN, "its equations have no unique solution", ...
                       "other joints");
   endif
@@ -22,3 +28,9 @@ endfunction
 %!error <at t = 0 s 1 of 2 constraints depend on the others, those of (elbow|knee): take a joint>
 %! names.constraints.names = {"elbow", "knee"};
 %! refuse_dependent (struct ("mechanism", names, "duration", 1), 0, sparse ([1 2; 2 4]));
+%!error <mechanism stopped at t = 0.5 s of 1 s: it came to a singular position: 1 of 2 constraints .* (elbow|knee):>
+%! names.constraints.names = {"elbow", "knee"};
+%! system = struct ("mechanism", names, "duration", 1, "stiffness", 0, "mass", 1);
+%! refuse_dependent (system, 0.5, sparse ([1 2; 2 4.0001]), 1e-3);
+%!test # none depend
+%! refuse_dependent (struct ("duration", 1), 0.5, sparse ([1 2; 2 5]), 1e-6);
