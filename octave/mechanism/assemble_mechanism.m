@@ -5,7 +5,7 @@
 ## @var{warnings} (cellstr) say what that changed, and which bodies hang on nothing.
 ##
 ## A mechanism that cannot be assembled is an error that names the joints that stay apart, one whose constraints depend
-## on each other one that names these.
+## on each other one that names these; a spring without a direction is one, too.
 ## @end deftypefn
 
 function [start, warnings] = assemble_mechanism (scene, mechanism, system)
@@ -17,6 +17,7 @@ function [start, warnings] = assemble_mechanism (scene, mechanism, system)
   at = system.at (0, q, given_v);
   [mass, jacobian] = system.matrices (at);
   refuse_dependent (system, 0, jacobian);
+  refuse_coincident (scene, mechanism, at.markers);
   v = project_velocities (system, 0, q, given_v);
   start = struct ("q", q, "v", v, "W", 0, "D", 0);
   warnings = [what_moved(q - given_q, v - given_v, mechanism, scene), loose_bodies(scene), locked(scene, system)];
@@ -30,6 +31,18 @@ function refuse_open (scene, mechanism, system, q)
   loop = {scene.bodies(bodies(bodies > 0)).name};
   scene_error (["the mechanism cannot be assembled: %s stay apart by %.3g m (or rad); the loop through %s" ...
                 " does not close"], strjoin (names, ", "), max (residual), strjoin (loop, ", "));
+endfunction
+
+## a spring's force is along the line through its points
+function refuse_coincident (scene, mechanism, markers)
+  for j = find (strcmp ({scene.joints.kind}, "spring"))
+    pair = mechanism.marker_of(j,:);
+    apart = hypot (diff (markers.x(pair)), diff (markers.y(pair)));
+    if (apart <= 1e-9*scene.bodies(scene.joints(j).bodies(1)).rod.length)
+      scene_error (["%s: the points of the spring coincide at the start, so that its force has no direction: take a" ...
+                    " bushing, which holds two points together, or another place"], scene.joints(j).name);
+    endif
+  endfor
 endfunction
 
 function warnings = what_moved (dq, dv, mechanism, scene)
@@ -112,3 +125,11 @@ endfunction
 %! scene = bars (0.7); scene.joints{5} = struct ("kind", "angle", "bodies", 1, "stations", 0);
 %! [~, warnings] = assembled (scene);
 %! assert (any (! cellfun (@isempty, strfind (warnings, "is locked"))));
+%!error <joint 6: the points of the spring coincide at the start, .*: take a bushing, which holds two points together>
+%! scene = bars (0.7); scene.joints{5} = struct ("kind", "bushing", "bodies", [1 2], "stations", [0.2 0]);
+%! scene.joints{6} = struct ("kind", "spring", "bodies", [1 2], "stations", [0.2 0], "stiffness", 1, "rest", 1);
+%! assembled (scene);
+%!test # a rod that nothing holds
+%! scene = bars (0.7); [scene.bodies, scene.joints] = deal (scene.bodies(1), {});
+%! [start, warnings] = assembled (scene);
+%! assert (start.q, zeros (3, 1)); assert (warnings, {"body 1 hangs on nothing: no joints lead from it to the ground"});

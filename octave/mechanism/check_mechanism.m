@@ -33,6 +33,10 @@ function list = checked_list (given, fields, name, check)
     endif
     list = [list, item];
   endfor
+  if (isempty (list))
+    names = unique (strtok (fields(:,1), "."));
+    list = cell2struct (cell (0, numel (names)), names, 2).';
+  endif
 endfunction
 
 function body = check_body (body, what)

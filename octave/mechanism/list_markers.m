@@ -9,7 +9,8 @@
 function mechanism = list_markers (mechanism, joints)
   known = zeros (0, 2);  # body, station
   mechanism.marker_of = zeros (numel (joints), 2);
-  mechanism.ground = struct ("number", zeros (1, 0), "x", [], "y", [], "angle", []);
+  mechanism.ground = struct ("number", zeros (1, 0), "x", zeros (0, 1), "y", zeros (0, 1), ...
+                             "angle", zeros (0, 1));
   grounds = {};
   for j = 1:numel (joints)
     for side = 1:2
