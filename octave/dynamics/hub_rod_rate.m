@@ -14,13 +14,9 @@ function [y_dot, torque] = hub_rod_rate (t, y, interval, n, c)
   c.interval = interval;
   [mass_V_phi, mass_phi_phi, force_V, force_phi, power, dissipated, more_power] = rod_forces (
     t, phi, phi_dot, V, V_dot, c);
-  for k = 1:numel (t)
-    [g, m] = deal (gradient(:,k), mass_V_phi(:,k));
-    solution(:,k) = [c.mass_matrix, m, -g; m.', mass_phi_phi(k), -1; g.', 1, 0] ...
-                    \ [force_V(:,k); force_phi(k); theta(3,k) - acceleration(k)];
-  endfor
-  torque = solution(end,:);
-  y_dot = [V_dot; solution(1:n,:); power + more_power.*solution(n+1,:) + torque.*theta(2,:); dissipated];
+  [V_ddot, phi_ddot, torque] = hub_accelerations (c.inverse_mass_matrix, mass_V_phi, mass_phi_phi, gradient, ...
+                                                  force_V, force_phi, theta(3,:) - acceleration);
+  y_dot = [V_dot; V_ddot; power + more_power.*phi_ddot + torque.*theta(2,:); dissipated];
 endfunction
 
 %!test # a rigid rod: the torque turns its moment of inertia and carries its weight

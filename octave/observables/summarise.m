@@ -19,35 +19,30 @@ function summary = summarise (name, scene, model, choice, count, history)
   summary.method = count.method;
   summary.tolerance_m = scene.solver.tolerance;
   summary.estimated_error_m = [];
-  summary.estimated_error_pixels = [];
+  summary.estimated_error_pixels = summary.dropped_m = [];
   summary.tried = [];
+  error_warnings = {};
   summary.seconds = struct ("choice", 0, "integration", count.seconds);
   if (! isempty (choice.trial))
-    [moved.x, moved.y] = centreline (model, linspace (0, model.length, rows (choice.reference.x)), history, 1);
-    summary.estimated_error_m = distance (moved, choice.reference);
+    estimate = estimate_error (scene, model, choice, history);
+    summary.estimated_error_m = estimate.metres;
+    summary.dropped_m = estimate.dropped;
     half_pixel = tolerance_in_metres (setfield (scene, "solver", "tolerance", "pixel"));
     summary.estimated_error_pixels = summary.estimated_error_m/(2*half_pixel);
     summary.tried = rmfield (choice.tried, "rung");
-    summary.seconds.choice = sum ([choice.tried.seconds]);
+    summary.seconds.choice = sum ([choice.tried.seconds, estimate.seconds]);
+    error_warnings = error_warning (scene, estimate);
   endif
   summary.steps = count.steps;
   summary.rate_calls = count.calls;
   summary.frames = numel (history.t);
   summary.largest_energy_error = max (energy_error (history));
   summary.warnings = [choice.warnings, energy_warning(summary.largest_energy_error, 1e-3), ...
-                      error_warning(summary), validity_warnings(scene, model, history)];
+                      error_warnings, validity_warnings(scene, model, history)];
 endfunction
 
 function modes = mode_numbers (rung)
   modes = [rung.longitudinal, rung.bending];
-endfunction
-
-function warnings = error_warning (summary)
-  warnings = {};
-  if (summary.estimated_error_m > summary.tolerance_m)
-    warnings = {sprintf(["the estimated error is %.2g m, the tolerance %.2g m: take a smaller tolerance or another" ...
-                         " solver"], summary.estimated_error_m, summary.tolerance_m)};
-  endif
 endfunction
 
 %!test

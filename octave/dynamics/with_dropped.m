@@ -1,0 +1,105 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{system} =} with_dropped (@var{scene}, @var{model})
+## The system of @code{rod_system} with the forces of what the @var{model} of a straight rod drops (see
+## @code{dropped_forces}), taken along its own motion: how its motion differs is, to the first order, the model's error
+## against the geometrically exact rod.  In a hub the tangent at O has the angle that its slope really has.  Work and
+## dissipated energy are left at 0.
+## @end deftypefn
+
+function system = with_dropped (scene, model)
+  system = rod_system (scene, model);
+  constants = rod_constants (scene, model);
+  constants.points = dropped_points (model, scene);
+  constants.followers = model.followers;
+  constants.gravity = scene.gravity;
+  constants.tangent = ! strcmp (scene.model.moment_work, "chord");
+  n = columns (model.basis);
+  if (isempty (scene.rotation))
+    bare = system.rate;
+    system.rate = @(t, y, interval) hinged (t, y, interval, n, bare (t, y, interval), constants);
+  else
+    constants.rotation = scene.rotation;
+    constants.slopes = {model.arrays.slope_1, model.arrays.slope_2};
+    motion = system.motion;
+    system.rate = @(t, y, interval) in_hub (t, y, interval, n, constants);
+    system.motion = @(times, states) turned_in_hub (motion (times, states), constants);
+  endif
+endfunction
+
+function y_dot = hinged (t, y, interval, n, y_dot, c)
+  t = min (max (t, interval(1)), interval(2));
+  c.interval = interval;
+  [q, q_dot, q_ddot, phi, phi_dot] = deal (y(1:n,:), y(n+2:2*n+1,:), y_dot(n+2:2*n+1,:), y(n+1,:), y_dot(n+1,:));
+  [mass_q_phi, mass_phi_phi, ~, force_phi] = rod_forces (t, phi, phi_dot, q, q_dot, c);
+  phi_ddot = (force_phi - sum (mass_q_phi.*q_ddot, 1))./mass_phi_phi;
+  [force_q, torque] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c);
+  [solved, solved_mass] = deal (c.inverse_mass_matrix*force_q, c.inverse_mass_matrix*mass_q_phi);
+  phi_ddot = (torque - sum (mass_q_phi.*solved, 1))./(mass_phi_phi - sum (mass_q_phi.*solved_mass, 1));
+  y_dot(n+2:2*n+1,:) += solved - solved_mass.*phi_ddot;
+  y_dot(2*n+2,:) += torque;
+  y_dot(2*n+3:end,:) = 0;
+endfunction
+
+function y_dot = in_hub (t, y, interval, n, c)
+  t = min (max (t, interval(1)), interval(2));
+  c.interval = interval;
+  [q, q_dot, theta] = deal (y(1:n,:), y(n+1:2*n,:), at_times (c.rotation, t));
+  [phi, phi_dot, gradient, acceleration] = rod_in_hub (theta(1,:), theta(2,:), q, q_dot, c.slopes{:});
+  [angle, angle_dot, by_slope, by_stretch, second_rate] = angle_at_O (q, q_dot, c.points);
+  phi -= angle;
+  phi_dot -= angle_dot;
+  gradient += c.points.slope_at_O.'*by_slope + c.points.stretch_at_O.'*by_stretch;
+  turning = theta(3,:) - acceleration - second_rate;
+  [mass_q_phi, mass_phi_phi, force_q, force_phi] = rod_forces (t, phi, phi_dot, q, q_dot, c);
+  solved = @(f, g) hub_accelerations (c.inverse_mass_matrix, mass_q_phi, mass_phi_phi, gradient, f, g, turning);
+  q_ddot = solved (force_q, force_phi);
+  phi_ddot = turning - sum (gradient.*q_ddot, 1);
+  [more_q, more_phi] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c);
+  y_dot = [q_dot; solved(force_q + more_q, force_phi + more_phi); zeros(2, columns (q))];
+endfunction
+
+function [force_q, force_phi] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c)
+  none = zeros (1, columns (q));
+  motion = struct ("q", q, "q_dot", q_dot, "q_ddot", q_ddot, "phi", phi, "phi_dot", phi_dot, "phi_ddot", phi_ddot, ...
+                   "x_ddot", none, "y_ddot", none, "followers", []);
+  loads = struct ("gravity", c.gravity, "moment", none, "force_x", none, "force_y", none);
+  if (c.tangent)
+    loads.moment = c.moment (t);
+  endif
+  if (! isempty (c.force))
+    F = at_times (c.force, t);
+    [loads.force_x, loads.force_y] = deal (F(1,:), F(2,:));
+  endif
+  if (! isempty (c.followers))
+    motion.followers = rod_followers (phi, phi_dot, c.gravity, c.followers.flexibility, ...
+                                      c.followers.centrifugal_vector, c.followers.first_moment_1, loads.force_x, ...
+                                      loads.force_y, c.followers.shape_1);
+  endif
+  [force_q, force_phi] = dropped_forces (c.points, motion, loads);
+endfunction
+
+function varargout = angle_at_O (q, q_dot, points)
+  [b, a] = deal (points.slope_at_O, points.stretch_at_O);
+  [varargout{1:nargout}] = rod_dropped_angle (b*q, b*q_dot, a*q, a*q_dot);
+endfunction
+
+function found = turned_in_hub (found, c)
+  [angle, angle_dot] = angle_at_O (found.q, found.q_dot, c.points);
+  found.phi -= angle;
+  found.phi_dot -= angle_dot;
+endfunction
+
+%!test # a quarter of the pendulum's shape in weightless rest: nothing moves, with or without
+%! scene = setfield (setfield (paper (), "gravity", 0), "moment", 0); scene.moment_breaks = [];
+%! scene.model = struct ("modes", [0 2], "stiffening", "foreshortening");
+%! scene = check_scene (scene);
+%! system = with_dropped (scene, build_model (scene, rung_of_scene (scene)));
+%! assert (system.rate ([0 1], system.initial_state(:,[1 1]), [0 1]), zeros (8, 2), 1e-12);
+%!test # in a hub the tangent at O has its angle: asin of the slope, and the stretch
+%! scene = setfield (setfield (spin_up (), "duration", 2), "model", struct ("modes", [0 3], "stiffening", "foreshortening"));
+%! scene = check_scene (scene);
+%! model = build_model (scene, rung_of_scene (scene));
+%! system = with_dropped (scene, model);
+%! y = [0.3; 0.02; -0.01; 0; 0; 0; 0; 0];
+%! slope = model.arrays.slope_2.'*y(1:3);
+%! assert (system.motion (1.5, y).phi + asin (slope), scene.rotation (1.5)(1), 0.5*slope^5);
