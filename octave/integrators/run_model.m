@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{history}, @var{count}] =} run_model (@var{scene}, @var{model}, @var{choice})
 ## What is observed of the scene's rod (see @code{measure}), and the @var{count} of @code{integrate}.  A model that was
-## chosen has a trial run (see @code{choose_model}), which is taken where it has the solver's method.  The solver
+## chosen has a trial run (see @code{choose}), which is taken where it has the solver's method.  The solver
 ## "auto" takes smaller tolerances, where it must, until the energy balance is within 1e-7 of what changes (see
 ## @code{energy_error}), or smaller ones do not help, six at most; the work and what dissipates, which no point of the rod
 ## follows, are then integrated to a share of that.  A run that leaves its energy balance is an error.

@@ -31,7 +31,9 @@ function summary = summarise (name, scene, model, choice, count, history)
     summary.estimated_error_pixels = summary.estimated_error_m/(2*half_pixel);
     summary.tried = rmfield (choice.tried, "rung");
     summary.seconds.choice = sum ([choice.tried.seconds, estimate.seconds]);
-    error_warnings = error_warning (scene, estimate);
+    if (isempty (choice.warnings) || estimate.dropped > scene.solver.tolerance)  # else the chooser has said it
+      error_warnings = error_warning (scene, estimate);
+    endif
   endif
   summary.steps = count.steps;
   summary.rate_calls = count.calls;

@@ -31,7 +31,7 @@ function [table, scene] = ladder_of_rungs (scene, folder)
   scene = check_scene (scene);
   scene.solver.tolerance = tolerance_in_metres (scene);
   require_folder (folder);
-  choice = choose_model (setfield (scene, "model", "modes", "auto"));
+  choice = choose (rod_ladder (scene), scene.solver.tolerance);
   rich = struct ("sines", [], "bending", 30, "longitudinal", 30, "axial", "dynamic", "stiffening", "foreshortening");
   richest = reference = trial_run (setfield (scene, "solver", "tolerance", scene.solver.tolerance/50), rich);
   [exact, converged] = exact_runs (scene);

@@ -35,7 +35,7 @@ function row = verify_choice (which)
       return;
     endif
     seconds = toc (start);
-    true_error = distance_of (motion_of (result), far_richer (result));
+    true_error = distance (motion_of (result), far_richer (result));
     smaller = smaller_error (result);
   catch err
     row = struct ("name", sprintf ("%s: %s", name, strtrim (err.message)), "error", Inf, "estimate", NaN, ...
@@ -49,13 +49,6 @@ function row = verify_choice (which)
                 "estimate", estimate/tolerance, "smaller", smaller/tolerance, "good", ...
                 true_error <= tolerance && honest && ! (smaller < 0.95*tolerance), ...
                 "seconds", [seconds, toc(start) - seconds]);
-endfunction
-
-function metres = distance_of (a, b)
-  metres = distance (a, b);
-  if (isfield (a, "z"))
-    metres = hypot (metres, max (abs (a.z - b.z)(:)));
-  endif
 endfunction
 
 ## of the next smaller models of one straight rod (m); of others NaN

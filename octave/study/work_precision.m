@@ -97,8 +97,7 @@ endfunction
 
 function rows = ladder_of (scene)
   scene.solver.tolerance = tolerance_in_metres (scene);
-  scene.model.modes = "auto";
-  choice = choose_model (scene);
+  choice = choose (rod_ladder (scene), scene.solver.tolerance);
   rows = struct ([]);
   for rung = ladder_rungs (choice.trial.rung, choice.reference.rung)
     trial = trial_run (scene, rung{1});

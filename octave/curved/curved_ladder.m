@@ -1,0 +1,38 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{ladder} =} curved_ladder (@var{scene})
+## The ladder of models (see @code{choose}) of a checked scene of one curved rod: numbers of longitudinal and bending
+## base functions (see @code{curved_functions}), from the rigid rod, or from what its initial state needs, to 27 + 40.
+## @end deftypefn
+
+function ladder = curved_ladder (scene)
+  initial = scene.initial;
+  least = [max(numel (initial.V1), numel (initial.V1_dot)), max(numel (initial.V2), numel (initial.V2_dot))];
+  most = [27 40].*[! strcmp(scene.model.axial, "none"), 1];
+  ladder.share = 0.95;
+  ladder.parts = {1, 2};
+  ladder.first = @() deal (curved_rung (min (max ([1 2], least), most)), "");
+  ladder.richer = @(rung) curved_rung (min (2*rung.sines + [1 2], most));
+  ladder.smaller = @(rung, part) curved_rung (max (rung.sines - ((1:2) == part), least));
+  ladder.left_out = @(reference, rung, part) left_out (reference.model, reference.history.V, part, rung.sines(part));
+  ladder.poorer = @(rung, reference) clearly_fewer (rung.sines, reference.sines);
+  ladder.trial = @(rung) run_rod (scene, build_model (scene, rung), "auto", scene.solver.tolerance/5);
+  ladder.name = @(rung) strrep (rung_name (rung), "sines", "base functions");
+endfunction
+
+function rung = curved_rung (numbers)
+  axial = "none";
+  if (numbers(1) > 0)
+    axial = "dynamic";
+  endif
+  rung = struct ("sines", numbers, "bending", numbers(2), "longitudinal", numbers(1), "axial", axial, ...
+                 "stiffening", "none");
+endfunction
+
+%!test
+%! scene = check_scene (setfield (arc_pendulum (), "duration", 0.2));
+%! scene.solver.tolerance = 1e-3;
+%! choice = choose (curved_ladder (scene), 1e-3);
+%! assert (choice.error_m <= 1e-3); assert (choice.warnings, {});
+%! rich = trial_run (scene, setfield (setfield (choice.rung, "sines", [12 18]), "axial", "dynamic"));
+%! true_error = distance (choice.trial, rich);
+%! assert (true_error <= 1e-3); assert (choice.error_m/true_error, 1, 0.3);

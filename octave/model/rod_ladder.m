@@ -1,0 +1,61 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{ladder} =} rod_ladder (@var{scene})
+## The ladder of models (see @code{choose}) of a checked scene of one straight rod: from the rigid rod over bending
+## modes to longitudinal modes that follow their loads without inertia, and to those that vibrate, each with or without
+## foreshortening (see @code{rung_of_scene}).  @code{predict_rung} guesses from the loads.
+## @end deftypefn
+
+function ladder = rod_ladder (scene)
+  ladder.share = 0.95;
+  ladder.parts = {"axial", "bending", "stiffening"};
+  ladder.first = @() predict_rung (scene);
+  ladder.richer = @(rung) richer_rung (rung, scene);
+  ladder.smaller = @(rung, part) smaller_rung (rung, part, scene);
+  ladder.left_out = @left_out_of;
+  ladder.poorer = @(rung, reference) clearly_fewer ([rung.bending, rung.longitudinal], ...
+                                                    [reference.bending, reference.longitudinal]);
+  ladder.trial = @(rung) run_rod (scene, build_model (scene, rung), "auto", scene.solver.tolerance/5);
+  ladder.name = @rung_name;
+endfunction
+
+## of the reference's modes, which are those of the rung and more; another treatment of them tells nothing before it is
+## run
+function metres = left_out_of (reference, rung, part)
+  metres = NaN;
+  all_of = reference.rung;
+  n1 = columns (reference.model.basis) - all_of.bending;
+  [along, across] = functions_at (reference.model.base, linspace (0, reference.model.length, 21).');
+  if (strcmp (part, "bending"))
+    metres = largest (across, reference, n1 + (rung.bending+1:all_of.bending));
+  elseif (strcmp (part, "axial") && strcmp (rung.axial, "dynamic") && strcmp (all_of.axial, "dynamic"))
+    metres = largest (along, reference, rung.longitudinal+1:n1);
+  endif
+endfunction
+
+function metres = largest (functions, reference, modes)
+  points = functions*reference.model.basis(:,modes)*reference.history.q(modes,:);
+  metres = max ([0; abs(points(:))]);
+endfunction
+
+%!test # the paper's scene needs the foreshortening and bending modes, no longitudinal ones; one mode less is too few
+%! scene = check_scene (paper ());
+%! scene.duration = 0.6; scene.solver.tolerance = 2e-5;
+%! choice = choose (rod_ladder (scene), scene.solver.tolerance);
+%! assert (choice.rung.axial, "none");
+%! assert (choice.rung.bending >= 2 && choice.rung.bending <= 5);
+%! assert (choice.error_m < 2e-5); assert (choice.warnings, {});
+%! smaller = setfield (choice.rung, "bending", choice.rung.bending - 1);
+%! assert (distance (trial_run (scene, smaller), choice.reference) > 1.9e-5);
+%! names = {choice.tried.name};
+%! assert (numel (unique (names)), numel (names));
+%!test # what a rung with fewer modes leaves out of a motion
+%! scene = check_scene (setfield (setfield (paper (), "duration", 0.3), "solver", "tolerance", 1e-4));
+%! rung = struct ("sines", [], "bending", 3, "longitudinal", 0, "axial", "none", "stiffening", "none");
+%! ladder = rod_ladder (scene);
+%! reference = try_rung (ladder, rung);
+%! [~, across] = functions_at (reference.model.base, linspace (0, 1, 21).');
+%! third = across*reference.model.basis(:,3)*reference.history.q(3,:);
+%! less = setfield (rung, "bending", 2);
+%! assert (ladder.left_out (reference, less, "bending"), max (abs (third(:))));
+%! assert (ladder.left_out (reference, rung, "bending"), 0);
+%! assert (ladder.left_out (reference, less, "stiffening"), NaN);

@@ -1,0 +1,185 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{choice} =} choose (@var{ladder}, @var{tolerance})
+## The smallest rung of a kind's ladder of models that has every point within the @var{tolerance} (m) in every frame.
+##
+## The rung above a first guess is the reference, whose motion says how much of it is needed.  That is run, and a
+## little more until it holds: until it is within the ladder's share of the tolerance of the reference.  Then smaller
+## rungs are tried, a part after the other, for as long as they hold too.  Where what is needed is not clearly less
+## than the reference has, it is the next guess.  At the ladder's end the choice gives up: the last reference is taken,
+## with its distance from the best that is clearly poorer, and a warning says so.  No rung is run twice, and one that
+## cannot be run is passed by; where none can, the error is the last one's.
+##
+## @var{ladder} is a struct of share, parts (a cell array) and functions: first () = [rung, why] (a sentence, or
+## empty), richer (rung), smaller (rung, part), the same rung where there is none, left_out (reference, rung, part),
+## what a rung leaves out of a part of the reference's motion (m; NaN: that cannot be told, Inf: it cannot do without),
+## poorer (rung, reference), whether the reference is so much richer that it tells the rung's error, trial (rung) (see
+## @code{try_rung}) and name (rung).
+##
+## @var{choice}: trial (the chosen one), reference (what it is compared with), rung, error_m (their distance), reason
+## (a sentence), tried (a struct array of rung, name, error_m, seconds, calls, message) and warnings (cellstr).
+## @end deftypefn
+
+function choice = choose (ladder, tolerance)
+  limit = ladder.share*tolerance;
+  trials = references = {};
+  [guess, why] = ladder.first ();
+  do
+    references{end+1} = ladder.richer (guess);
+    [reference, trials] = run_once (ladder, references{end}, trials);
+    [trial, guess, trials] = smallest_near (ladder, reference, guess, limit, trials);
+    at_the_end = any (cellfun (@(rung) isequal (rung, ladder.richer (guess)), references));
+  until (! isempty (trial) || at_the_end)
+
+  reason = sprintf ("the smallest within %.2g m of %s", limit, ladder.name (reference.rung));
+  warnings = {};
+  if (isempty (trial))
+    [trial, reference] = richest (ladder, references, trials);
+    reason = "the largest, none was found to be within the tolerance";
+    warnings = {sprintf(["the choice of the model gave up: %s, the largest, and %s are %.2g m apart, the tolerance" ...
+                         " is %.2g m: take a larger tolerance, smoother loads, or state model.modes"], ...
+                        ladder.name (trial.rung), ladder.name (reference.rung), distance (trial, reference), tolerance)};
+  endif
+  if (! isempty (why))
+    reason = [why "; " reason];
+  endif
+  choice = struct ("trial", trial, "reference", reference, "rung", trial.rung, "error_m", distance (trial, reference), ...
+                   "reason", reason, "warnings", {warnings});
+  choice.tried = cellfun (@(trial) entry (ladder, trial, reference), trials);
+endfunction
+
+function [trial, trials] = run_once (ladder, rung, trials)
+  known = find (cellfun (@(trial) isequal (trial.rung, rung), trials), 1);
+  if (isempty (known))
+    trials{end+1} = try_rung (ladder, rung);
+    known = numel (trials);
+  endif
+  trial = trials{known};
+endfunction
+
+## what is needed of the reference or, where that does not hold, the guess below it, and from there down; empty where
+## none holds that is clearly poorer: then needed is the next guess
+function [trial, needed, trials] = smallest_near (ladder, reference, guess, limit, trials)
+  trial = [];
+  needed = reference.rung;
+  if (! isempty (reference.error))
+    return;
+  endif
+  metres = limit;
+  do
+    needed = needed_of (ladder, reference, metres);
+    enough = ladder.poorer (needed, reference.rung);
+    if (enough)
+      [near, trials] = run_once (ladder, needed, trials);
+      held = distance (near, reference) <= limit;
+    endif
+    metres /= 2;
+  until (! enough || held || metres < limit/100)
+  if (enough && ! held)
+    needed = reference.rung;
+    if (ladder.poorer (guess, reference.rung))
+      [near, trials] = run_once (ladder, guess, trials);
+      held = distance (near, reference) <= limit;
+    endif
+  endif
+  if (enough && held)
+    [trial, trials] = go_down (ladder, near, reference, limit, trials);
+  endif
+endfunction
+
+## the smallest rung that leaves at most so many metres out of the motion of the reference in each part
+function rung = needed_of (ladder, reference, metres)
+  rung = reference.rung;
+  for part = ladder.parts
+    do
+      before = rung;
+      smaller = ladder.smaller (rung, part{1});
+      if (ladder.left_out (reference, smaller, part{1}) <= metres)
+        rung = smaller;
+      endif
+    until (isequal (rung, before))
+  endfor
+endfunction
+
+function [trial, trials] = go_down (ladder, trial, reference, limit, trials)
+  for part = ladder.parts
+    do
+      before = trial.rung;
+      rung = ladder.smaller (before, part{1});
+      hopeless = ladder.left_out (reference, rung, part{1}) > 2*limit;
+      if (! hopeless && ! isequal (rung, before))
+        [smaller, trials] = run_once (ladder, rung, trials);
+        if (distance (smaller, reference) <= limit)
+          trial = smaller;
+        endif
+      endif
+    until (isequal (trial.rung, before))
+  endfor
+endfunction
+
+## the last reference that could be run, and the best of the others that is clearly poorer, or else any
+function [trial, next] = richest (ladder, references, trials)
+  ran = trials(cellfun (@(trial) isempty (trial.error), trials));
+  is_reference = cellfun (@(trial) any (cellfun (@(rung) isequal (rung, trial.rung), references)), ran);
+  if (! any (is_reference))
+    error (trials{end}.identifier, "%s\n", trials{end}.error);
+  endif
+  last = find (is_reference, 1, "last");
+  trial = next = ran{last};
+  next.x(:) = NaN;  # nothing to compare with
+  others = ran([1:last-1, last+1:end]);
+  poorer = cellfun (@(other) ladder.poorer (other.rung, trial.rung), others);
+  if (any (poorer))
+    others = others(poorer);
+  endif
+  if (! isempty (others))
+    [~, nearest] = min (cellfun (@(other) distance (other, trial), others));
+    next = others{nearest};
+  endif
+endfunction
+
+function row = entry (ladder, trial, reference)
+  row = struct ("rung", trial.rung, "name", ladder.name (trial.rung), "error_m", distance (trial, reference), ...
+                "seconds", trial.seconds, "calls", trial.count.calls, "message", trial.error);
+endfunction
+
+%!function ladder = series (amplitudes, least = 0)   # the motion is a sum, a rung its number of terms
+%!  sum_of = @(n) sum (amplitudes(1:n));
+%!  ladder = struct ("share", 0.95, "parts", {{"terms"}});
+%!  ladder.first = @() deal (1, "they fall");
+%!  ladder.richer = @(n) min (2*n + 2, numel (amplitudes));
+%!  ladder.smaller = @(n, part) max (n - 1, 0);
+%!  ladder.left_out = @(reference, n, part) abs (sum_of (reference.rung) - sum_of (n));
+%!  ladder.poorer = @clearly_fewer;
+%!  ladder.trial = @(n) run_terms (n, sum_of (n), least);
+%!  ladder.name = @(n) sprintf ("%d terms", n);
+%!endfunction
+%!function trial = run_terms (n, x, least)
+%!  if (n < least)
+%!    error ("toolchain:scene", "%d terms are locked\n", n);
+%!  endif
+%!  trial = struct ("x", x, "y", 0, "count", struct ("calls", n));
+%!endfunction
+%!test # three terms are the fewest within the tolerance, and no number of terms is run twice
+%! choice = choose (series (0.1.^(0:19)), 1.2e-3);
+%! assert (choice.rung, 3); assert (choice.error_m, 0.1^3*1.111, 1e-6);
+%! assert (choice.warnings, {});
+%! assert (choice.reason, "they fall; the smallest within 0.0011 m of 8 terms");
+%! assert (sort ([choice.tried.rung]), [3 4 8]);
+%!test # where as much is needed as the reference has, the reference is the next guess
+%! choice = choose (series (0.5.^(0:19)), 1e-3);
+%! assert (choice.rung, 12); assert (sort ([choice.tried.rung]), [4 10 11 12 20]);
+%!test # what cannot be run is passed by, and its message kept
+%! choice = choose (series ([1 0 0 0 0 0 0 0], 4), 0.1);
+%! assert (choice.rung, 4); assert (choice.warnings, {});
+%! failed = strcmp ({choice.tried.message}, "1 terms are locked");
+%! assert (sum (failed), 1); assert (choice.tried(failed).error_m, Inf);
+%!test # it says that it gave up, and does not give the distance from itself
+%! choice = choose (series (1./(1:20)), 1e-3);
+%! assert (choice.rung, 20); assert (choice.error_m, sum (1./(11:20)), 1e-12);
+%! assert (choice.warnings, {["the choice of the model gave up: 20 terms, the largest, and 10 terms are 0.67 m apart," ...
+%!   " the tolerance is 0.001 m: take a larger tolerance, smoother loads, or state model.modes"]});
+%! assert (isempty (strfind (choice.reason, "smallest")));
+%!test # what only the last could do is compared with nothing
+%! choice = choose (series (0.1.^(0:19), 20), 1e-3);
+%! assert (choice.rung, 20); assert (choice.error_m, Inf);
+%!error <20 terms are locked> choose (series (0.1.^(0:19), 21), 1e-3);

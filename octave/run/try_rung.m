@@ -1,0 +1,30 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{trial} =} try_rung (@var{ladder}, @var{rung})
+## Run a @var{rung} of a @var{ladder} of models (see @code{choose}): what its function trial returns, a struct with the
+## points x and y, and z on a surface (points-by-frames, m), and the integrator's count, and with the rung and the
+## seconds that it took.  A run that fails leaves error, its message, and NaN for the points.
+## @end deftypefn
+
+function trial = try_rung (ladder, rung)
+  start = tic ();
+  show_progress (["trying " ladder.name(rung)]);
+  try
+    trial = ladder.trial (rung);
+    trial.error = "";
+  catch err
+    if (! any (strcmp (err.identifier, {"toolchain:integration", "toolchain:scene"})))
+      rethrow (err);
+    endif
+    trial = struct ("x", NaN, "y", NaN, "error", strtrim (err.message), "identifier", err.identifier);
+    trial.count = struct ("method", "auto", "steps", 0, "calls", 0, "seconds", NaN);
+  end_try_catch
+  trial.rung = rung;
+  trial.seconds = toc (start);
+endfunction
+
+%!test # what fails is no end, but for a mistake in the program
+%! ladder = struct ("name", @(n) "two modes", "trial", @(n) error ("toolchain:integration", "it shrank\n"));
+%! trial = try_rung (ladder, 2);
+%! assert (trial.error, "it shrank"); assert (trial.rung, 2);
+%! assert (distance (trial, struct ("x", 1, "y", 2)), Inf);
+%!error <nonconformant> try_rung (struct ("name", @(n) "", "trial", @(n) [1 2] + [1 2 3]), 2);
