@@ -63,7 +63,8 @@ function warnings = locked (scene, system)
   warnings = {};
   kinds = system.mechanism.constraints.kinds;
   driven = arrayfun (@(kind) ! isempty (kind.moving), kinds);
-  if (system.n == system.constraint_count && ! any (driven))
+  chosen = arrayfun (@(body) ischar (body.model.modes), scene.bodies);  # such rods bend where that is seen
+  if (system.n == system.constraint_count && ! any (driven) && ! any (chosen))
     warnings = {sprintf("the mechanism is locked: %d constraints on %d coordinates, and no joint is driven", ...
                         system.constraint_count, system.n)};
   endif

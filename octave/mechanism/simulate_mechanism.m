@@ -13,8 +13,8 @@ function result = simulate_mechanism (scene, name, output, command = "")
   scene.solver.tolerance = mechanism_tolerance (scene);
   prepare_output (output, scene);
   try
-    [mechanism, choice] = choose_mechanism (scene);
-    announce_levels (choice);
+    [mechanism, choice] = mechanism_of_scene (scene);
+    announce (choice);
     [history, count, warnings] = balanced_run (scene, mechanism, choice.trial);
   catch err
     record_failure (output, name, scene, err);

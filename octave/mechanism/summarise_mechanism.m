@@ -11,28 +11,31 @@ function summary = summarise_mechanism (name, scene, mechanism, choice, count, h
   summary.joints = {scene.joints(:).name};
   summary.model = sprintf ("%d bodies, %d coordinates, %d constraints", numel (scene.bodies), mechanism.n, ...
                            mechanism.constraints.count);
-  summary.model_reason = "as the scene states it";
-  if (! isempty (choice.error))
-    summary.model_reason = sprintf ("the fewest modes that keep every point within %.2g m", scene.solver.tolerance/2);
-  endif
+  summary.model_reason = choice.reason;
   modes = @(model) [model.rung.longitudinal, model.rung.bending];
   summary.modes = cellfun (modes, mechanism.models, "uniformoutput", false);
   summary.stiffening = cellfun (@(model) model.rung.stiffening, mechanism.models, "uniformoutput", false);
   summary.loads = scene.probed;
   summary.method = count.method;
   summary.tolerance_m = scene.solver.tolerance;
-  summary.estimated_error_m = choice.error;
-  half_pixel = mechanism_tolerance (setfield (scene, "solver", "tolerance", "pixel"));
-  summary.estimated_error_pixels = choice.error/(2*half_pixel);
-  summary.tried = choice.tried;
-  summary.seconds = struct ("choice", sum ([choice.tried.seconds, 0]), "integration", count.seconds);
+  summary.estimated_error_m = [];
+  summary.estimated_error_pixels = [];
+  summary.tried = [];
+  summary.seconds = struct ("choice", 0, "integration", count.seconds);
+  if (! isempty (choice.trial))
+    summary.estimated_error_m = distance (mechanism_points (mechanism, history), choice.reference);
+    half_pixel = mechanism_tolerance (setfield (scene, "solver", "tolerance", "pixel"));
+    summary.estimated_error_pixels = summary.estimated_error_m/(2*half_pixel);
+    summary.tried = rmfield (choice.tried, "rung");
+    summary.seconds.choice = sum ([choice.tried.seconds]);
+  endif
   summary.steps = count.steps;
   summary.rate_calls = count.calls;
   summary.frames = numel (history.t);
   summary.largest_energy_error = max (energy_error (history));
   summary.largest_constraint_residual = max (history.residual);
   summary.largest_constraint_velocity = max (history.velocity_residual);
-  summary.warnings = [warnings, energy_warning(summary.largest_energy_error, 1e-3), ...
+  summary.warnings = [choice.warnings, warnings, energy_warning(summary.largest_energy_error, 1e-3), ...
                       large_deflections(scene, mechanism, history)];
 endfunction
 
@@ -54,7 +57,7 @@ endfunction
 %! [system, start, scene] = sample_mechanism ([0 1]);
 %! start.q(index_of (system.mechanism, 2)(1)) = 0.1;
 %! history = measure_mechanism (system, 0, first_states (system, 0, start));
-%! choice = struct ("tried", struct ("seconds", {}), "error", []);
+%! choice = given_choice ([], "");
 %! count = struct ("method", "radau", "seconds", 1, "steps", 2, "calls", 3);
 %! summary = summarise_mechanism ("sample", scene, system.mechanism, choice, count, history, {});
 %! assert (! isempty (regexp (summary.warnings{1}, "body 2 bends to a slope of 0.63")));

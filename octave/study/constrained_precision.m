@@ -15,7 +15,7 @@ function [table, write, draw] = constrained_precision (scene, folder, finest = 1
   scene = check_mechanism (scene);
   scene.solver.tolerance = mechanism_tolerance (scene);
   require_folder (folder);
-  mechanism = choose_mechanism (scene);
+  mechanism = mechanism_of_scene (scene);
   system = mechanism_system (scene, mechanism);
   start = assemble_mechanism (scene, mechanism, system);
   times = frame_times (scene);

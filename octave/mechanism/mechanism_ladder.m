@@ -1,0 +1,142 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{ladder} =} mechanism_ladder (@var{scene})
+## The ladder of models (see @code{choose}) of a checked scene of several bodies.  A rung is a struct of the numbers of
+## bending and of longitudinal modes of each body (1-by-bodies, see @code{mechanism_rungs}): of those with model.modes
+## = "auto", from what their initial state needs to 40 + 30; 0 for the others, which keep what they state.  A part is
+## one kind of modes of one body.
+##
+## A rung holds within half the tolerance: sines converge slowly where a joint acts inside a rod, so that the reference
+## is not much better.
+## @end deftypefn
+
+function ladder = mechanism_ladder (scene)
+  [least, most] = limits_of (scene);
+  open = arrayfun (@(body) ischar (body.model.modes), scene.bodies);
+  scene.solver.name = "auto";
+  ladder.share = 0.5;
+  ladder.parts = parts_of (most);
+  ladder.first = @() deal (within (struct ("bending", 1, "longitudinal", 0), least, most), stiffening_of_bodies (scene));
+  ladder.richer = @(rung) within (struct ("bending", ceil (1.5*rung.bending) + 2, ...
+                                          "longitudinal", 2*rung.longitudinal + 1), least, most);
+  ladder.smaller = @(rung, part) one_less (rung, part, least);
+  ladder.left_out = @(reference, rung, part) left_out_of (reference, rung, part, open);
+  ladder.poorer = @(rung, reference) clearly_fewer ([rung.bending, rung.longitudinal], ...
+                                                    [reference.bending, reference.longitudinal]);
+  ladder.trial = @(rung) mechanism_trial (scene, mechanism_rungs (scene, rung.bending, rung.longitudinal));
+  ladder.name = @name_of;
+endfunction
+
+function [least, most] = limits_of (scene)
+  least = most = struct ("bending", zeros (1, numel (scene.bodies)), "longitudinal", zeros (1, numel (scene.bodies)));
+  for k = 1:numel (scene.bodies)
+    [model, initial] = deal (scene.bodies(k).model, scene.bodies(k).initial);
+    if (ischar (model.modes))
+      least.bending(k) = max (numel (initial.V2), numel (initial.V2_dot));
+      least.longitudinal(k) = max (numel (initial.V1), numel (initial.V1_dot));
+      most.bending(k) = max (40, least.bending(k));
+      if (! strcmp (model.axial, "none"))
+        most.longitudinal(k) = max (30, least.longitudinal(k));
+      endif
+    endif
+  endfor
+endfunction
+
+function rung = within (rung, least, most)
+  for kind = {"bending", "longitudinal"}
+    rung.(kind{1}) = max (min (rung.(kind{1}), most.(kind{1})), least.(kind{1}));
+  endfor
+endfunction
+
+## longitudinal modes first, they are the fastest
+function parts = parts_of (most)
+  parts = {};
+  for kind = {"longitudinal", "bending"}
+    for k = find (most.(kind{1}) > 0)
+      parts{end+1} = struct ("kind", kind{1}, "body", k);
+    endfor
+  endfor
+endfunction
+
+function rung = one_less (rung, part, least)
+  rung.(part.kind)(part.body) = max (rung.(part.kind)(part.body) - 1, least.(part.kind)(part.body));
+endfunction
+
+## Inf where the constraints would depend on each other at the start
+function metres = left_out_of (reference, rung, part, open)
+  [models, k] = deal (reference.mechanism.models, part.body);
+  order = struct ("longitudinal", 1, "bending", 2).(part.kind);
+  metres = left_out (models{k}, reference.history.bodies(k).V, order, rung.(part.kind)(k));
+  kept = true (1, reference.mechanism.n);
+  for k = find (open)
+    [numbers_1, numbers_2] = deal (models{k}.base.longitudinal, models{k}.base.transversal);
+    kept(index_of (reference.mechanism, k)(1:end-3)) = [has(numbers_1, rung.longitudinal(k)), ...
+                                                        has(numbers_2, rung.bending(k))];
+  endfor
+  if (! independent (reference.start_jacobian(:,kept)))
+    metres = Inf;
+  endif
+endfunction
+
+## as many functions, and with any of them the corrections for the ends, whose numbers are below 0
+function yes = has (numbers, count)
+  yes = numbers <= count & count > 0;
+endfunction
+
+function yes = independent (jacobian)
+  [~, R, ~] = qr (full (jacobian.'), 0);
+  sizes = abs (diag (R));
+  yes = sum (sizes > 1e-10*max ([sizes; 0])) == rows (jacobian);
+endfunction
+
+function name = name_of (rung)
+  name = ["bending modes " numbers_text(rung.bending)];
+  if (any (rung.longitudinal))
+    name = [name ", longitudinal " numbers_text(rung.longitudinal)];
+  endif
+endfunction
+
+function text = numbers_text (numbers)
+  text = strtrim (sprintf ("%d ", numbers));
+  if (numel (text) > 20)
+    text = sprintf ("%d to %d", min (numbers), max (numbers));
+  endif
+endfunction
+
+%!function scene = straight_rod (rod, joints)
+%!  scene.bodies = {struct("rod", rod, "model", struct ("modes", "auto", "energy", "uniaxial"))};
+%!  scene.joints = joints;
+%!  [scene.gravity, scene.duration, scene.frames_per_second] = deal (0, 0.01, 500);
+%!endfunction
+%!test # a rod pulled by 10 N: where bending is still it is stretched, by up to twice F l/EA = 1 mm, which is seen
+%! scene = straight_rod (struct ("length", 1, "EA", 1e4, "EI", 1e3, "rhoA", 1e-2), ...
+%!   {struct("kind", "revolute", "bodies", 1, "stations", 0), ...
+%!    struct("kind", "force", "bodies", 1, "stations", 1, "value", [10 0])});
+%! scene.solver.tolerance = 1.5e-4;
+%! [~, choice] = mechanism_of_scene (check_mechanism (scene));
+%! assert (choice.rung.longitudinal > 0); assert (choice.rung.bending, 0);
+%! assert (choice.error_m < 1.5e-4); assert (choice.warnings, {});
+%! c = 1e3; t = choice.trial.history.t;  # the triangular wave of the suddenly pulled bar, period 4 l/c
+%! stretched = 1e-3*(1 - abs (mod (t*c, 4) - 2)/2)*2;
+%! assert (choice.trial.history.bodies.tip_x - 1, stretched, 1.5e-4);
+%!test # clamped at both ends it moves only where it bends and stretches: no run without, and no word of it
+%! scene = straight_rod (struct ("length", 1, "EA", 1e6, "EI", 1, "rhoA", 1), ...
+%!   {struct("kind", "weld", "bodies", 1, "stations", 0), ...
+%!    struct("kind", "weld", "bodies", 1, "stations", 1, "point", [1 0]), ...
+%!    struct("kind", "force", "bodies", 1, "stations", 0.5, "value", [0 -0.01])});
+%! scene.duration = 0.14; scene.frames_per_second = 50; scene.solver.tolerance = 2e-6;
+%! [~, choice] = mechanism_of_scene (check_mechanism (scene));
+%! assert (choice.rung.longitudinal, 1); assert (choice.rung.bending > 0);
+%! assert (choice.warnings, {}); assert (choice.trial.warnings, {});
+%! assert ({choice.tried.message}, repmat ({""}, 1, numel (choice.tried)));
+%! middle = min (choice.trial.y(6,:));  # down to twice F l^3/(192 EI) after half a period of 0.2808 s
+%! assert (middle, -2*0.01/192, 4e-6);
+%!test # an initial state of the second mode: never fewer modes than that
+%! scene = straight_rod (struct ("length", 1, "EA", 1e6, "EI", 1, "rhoA", 1), ...
+%!   {struct("kind", "revolute", "bodies", 1, "stations", 0), ...
+%!    struct("kind", "slider", "bodies", 1, "stations", 1, "point", [1 0])});
+%! scene.bodies{1}.model.rotary_inertia = false;
+%! scene.bodies{1}.initial.V2 = [0 1e-3];
+%! scene.duration = 0.02; scene.solver.tolerance = 1e-6;
+%! [~, choice] = mechanism_of_scene (check_mechanism (scene));
+%! assert (choice.rung.bending, 2);
+%! assert (choice.trial.history.bodies.V(2,:), 1e-3*cos (4*pi^2*choice.trial.history.t), 1e-6);
