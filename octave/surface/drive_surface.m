@@ -14,7 +14,7 @@ function result = drive_surface (scene, name, output, command = "")
   endif
   prepare_output (output, scene);
   try
-    [run, choice] = choose_surface (scene);
+    [run, choice] = surface_run_of_scene (scene);
   catch err
     record_failure (output, name, scene, err);
     rethrow (err);

@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{summary} =} summarise_surface (@var{name}, @var{run}, @var{choice})
-## What a @var{run} of a rod on a surface was, how it was chosen (see @code{choose_surface}) and how it went: the
+## What a @var{run} of a rod on a surface was, how it was chosen (see @code{choose}) and how it went: the
 ## struct that summary.json holds.
 ## @end deftypefn
 
@@ -18,9 +18,13 @@ function summary = summarise_surface (name, run, choice)
   summary.loads = scene.probed;
   summary.method = count.method;
   summary.tolerance_m = scene.solver.tolerance;
-  summary.estimated_error_m = choice.error_m;
-  summary.estimated_error_pixels = choice.error_m*min (scene.frame_size)/scene.rod.length;
-  summary.tried = choice.tried;
+  summary.estimated_error_m = [];
+  summary.tried = [];
+  if (! isempty (choice.trial))
+    summary.estimated_error_m = distance (history, choice.reference);
+    summary.tried = rmfield (choice.tried, "rung");
+  endif
+  summary.estimated_error_pixels = summary.estimated_error_m*min (scene.frame_size)/scene.rod.length;
   summary.steps = count.steps;
   summary.rate_calls = count.calls;
   summary.frames = numel (history.t);
