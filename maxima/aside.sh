@@ -1,6 +1,7 @@
-# For derive and write_equations, which have set command, folder and modes ("N1 N2") and read this file: a folder
-# `aside' in `folder', gone at the end, and maxima_aside FILE STATEMENT to run Maxima with these modes. What it makes
-# there is moved out when whole: an interrupted command changes nothing, or leaves whole files.
+# For derive, derive_surface and write_equations, which have set command, folder and modes ("N1 N2") and read this
+# file: a folder `aside' in `folder', gone at the end, and maxima_aside FILE STATEMENT to run Maxima with these modes.
+# What it writes comes into `aside' and is moved out of there when whole: an interrupted command changes nothing, or
+# leaves whole files. Maxima itself writes into a folder of a plain name: its Lisp takes others for patterns.
 unset POSIXLY_CORRECT CDPATH  # where they are set gawk lacks arrays of arrays, and cd may print
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/strings.sh"
@@ -16,8 +17,13 @@ mkdir -p "$folder"
 aside=$(mktemp -d "$folder/.$command-XXXXXX")
 trap 'rm -rf "$aside"' EXIT
 trap 'exit 1' INT TERM HUP
+plain=$(mktemp -d)
+trap 'rm -rf "$aside" "$plain"' EXIT
 
 maxima_aside () {
-  "$here/run" "$here/$1" "modes: [$(printf '%s' "$modes" | sed 's/  */, /')]\$ $2" >"$aside/log" 2>&1 || {
-    echo "$command: Maxima failed:" >&2; tail -n 5 "$aside/log" >&2; exit 1; }
+  mkdir "$plain/made"
+  settings="modes: [$(printf '%s' "$modes" | sed 's/  */, /')]\$ output_folder: \"$plain/made\"\$"
+  "$here/run" "$here/$1" "$settings ${2:-}" >"$plain/log" 2>&1 || {
+    echo "$command: Maxima failed:" >&2; tail -n 5 "$plain/log" >&2; exit 1; }
+  mv "$plain/made"/* "$aside"
 }

@@ -1,4 +1,5 @@
-# Random expressions for columns, matrices, and numbers made of them.
+# Random expressions for columns, matrices, and numbers made of them. No factor of a matrix is 0: Maxima makes a number
+# of such a product.
 
 function scalar_of_matrices(depth,    kind)
 {
@@ -30,7 +31,7 @@ function square(depth,    kind)
   if (kind == 8) return "M^" word("(1/3) (2/3) (k/3)") "*" leaf() "+M"
   if (kind == 1) return "V . transpose(" column(depth) ")"
   if (kind == 2) return "transpose(M) . M . M"
-  if (kind == 3) return "(" scalar(1) ")*M" word("+ - *") "transpose(M)"
+  if (kind == 3) return "(1/7+" scalar(1) ")*M" word("+ - *") "transpose(M)"
   if (kind == 4) return "M" word("^2 ^-1 /2 *M +a")
   if (kind == 5) return "-M . transpose(M)+" word("1 a k") "*M"
   return "M-2*transpose(M)"
