@@ -9,8 +9,37 @@ function prepare_output (output, scene)
     return;
   endif
   require_folder (output.folder);
+  frames = numel (frame_times (scene));
+  [seconds, bytes] = picture_cost (frames, scene.frame_size);
+  if (output.pictures && seconds > 60)
+    say (["%d pictures will take some %s and %.2g GB, after the numbers are written: frames_per_second = %.2g" ...
+          " would make 1000 of them, PICTURES=no none"], ...
+         frames, clock_words (seconds), bytes/1e9, 1000/scene.duration);
+  endif
+endfunction
+
+function text = clock_words (seconds)
+  if (seconds < 5400)
+    text = sprintf ("%.0f minutes", max (seconds/60, 2));
+  else
+    text = sprintf ("%.1f hours", seconds/3600);
+  endif
 endfunction
 
 %!error <cannot be made|can be written>
 %! prepare_output (struct ("folder", "/proc/nowhere", "pictures", true), struct ("duration", 1));
-%!test prepare_output (struct ("folder", "", "pictures", true), struct ());
+%!test # nothing is written without a folder
+%! prepare_output (struct ("folder", "", "pictures", true), struct ());
+%!test # what an hour of pictures costs is said, and how to have fewer; less, or none, goes without saying
+%! output = struct ("folder", tempname (), "pictures", true); confirm_recursive_rmdir (false, "local");
+%! scene = struct ("duration", 3600, "frames_per_second", 50, "frame_size", [1280 720]);
+%! unwind_protect
+%!   said = evalc ("prepare_output (output, scene);");
+%!   expected = ["^180001 pictures will take some .* and 17 GB, after the numbers are written:" ...
+%!               " frames_per_second = 0.28 would make 1000 of them, PICTURES=no none\n$"];
+%!   assert (! isempty (regexp (said, expected)), said);
+%!   assert (evalc ("prepare_output (setfield (output, 'pictures', false), scene);"), "");
+%!   assert (evalc ("prepare_output (output, setfield (scene, 'duration', 2));"), "");
+%! unwind_protect_cleanup
+%!   rmdir (output.folder, "s");
+%! end_unwind_protect

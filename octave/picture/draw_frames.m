@@ -23,11 +23,10 @@ function jobs = draw_frames (drawing, scratch)
   settings.thickness = num2cell (2*max ([drawing.bodies(coloured).half_height]/camera.pixel, 1.5));
   [path, pieces] = tip_path (drawing.bodies);
   write_text (fullfile (scratch, "settings.gp"), ...
-              [gnuplot_settings(settings), gnuplot_settings(layout), strip_data(drawing), ...
-               gnuplot_block("tip_path", {path})]);
-
+              [gnuplot_settings(settings), gnuplot_settings(layout), strip_data(drawing)]);
+  data = @(frame, tip) frame_data (drawing, stress, camera, frame, tip);
   jobs = start_shares (scratch, "frames.gp", numel (drawing.time), ...
-                       @(frame) frame_data (drawing, stress, camera, frame, pieces));
+                       @(frame, first) with_path (data, frame, first, path, pieces));
 endfunction
 
 %!function sizes_are_right (drawing, pixels)

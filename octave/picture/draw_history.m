@@ -7,6 +7,8 @@
 
 function job = draw_history (drawing, scratch)
   panels = drawing.panels;
+  frames = numel (drawing.time);
+  shown = 1:ceil (frames/20000):frames;  # more would be a file that no browser opens
   settings = scene_settings (drawing, fit_camera (drawing, [1 1]));
   settings.t = padded_range (drawing.time);
   settings.panels = numel (panels);
@@ -26,7 +28,7 @@ function job = draw_history (drawing, scratch)
     panel = struct ("label", label, "names", {panels(i).names}, ...
                     "range", padded_range (values), "step", tic_step (padded_range (values), 5));
     write_text (fullfile (scratch, sprintf ("panel_%d.gp", i)),
-                [gnuplot_settings(panel), gnuplot_block("curves", {[drawing.time; values].'})]);
+                [gnuplot_settings(panel), gnuplot_block("curves", {[drawing.time(shown); values(:,shown)].'})]);
   endfor
   job = start_gnuplot (scratch, "history.gp");
 endfunction

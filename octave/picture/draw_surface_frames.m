@@ -11,7 +11,7 @@ function jobs = draw_surface_frames (drawing, scratch)
   write_surface_settings (drawing, scratch, "png");
   frames = numel (drawing.time);
   name = @(frame) fullfile ("..", frame_names (frame, frames){1}(1:end-4));  # without .png
-  jobs = start_shares (scratch, "surface.gp", frames, @(frame) surface_frame_data (drawing, frame, name (frame)));
+  jobs = start_shares (scratch, "surface.gp", frames, @(frame, ~) surface_frame_data (drawing, frame, name (frame)));
 endfunction
 
 %!test # frames of the right size

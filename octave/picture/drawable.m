@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{values} =} drawable (@var{values})
-## The @var{values} as gnuplot can draw them, with margins and steps of tics between them: those beyond 1e300 end there,
-## and those below 1e-300, of which nothing could be said, are 0.
+## The @var{values} as gnuplot can draw them, with margins and steps of tics between them: those beyond 1e300 end
+## there, and those below 1e-300, of which nothing could be said, are 0.
 ## @end deftypefn
 
 function values = drawable (values)

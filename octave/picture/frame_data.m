@@ -1,12 +1,12 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{text} =} frame_data (@var{drawing}, @var{stress}, @var{camera}, @var{frame}, @var{path_pieces})
+## @deftypefn {} {@var{text} =} frame_data (@var{drawing}, @var{stress}, @var{camera}, @var{frame}, @var{tip})
 ## What one @var{frame} shows, as variables and data blocks of gnuplot: the clock, the moment's arrow, the number
-## of the last point of the tip's path (which has @var{path_pieces} a frame, see @code{tip_path}), the hinges, and an
-## index for each body in $rest and $outline. $pieces has an index for each body with a @var{stress} (see
+## @var{tip} of the last point of the tip's path (see @code{with_path}), the hinges, and an index for each body in
+## $rest and $outline. $pieces has an index for each body with a @var{stress} (see
 ## @code{body_stress}): start, extent and stress of pieces of its centreline.
 ## @end deftypefn
 
-function text = frame_data (drawing, stress, camera, frame, path_pieces = 1)
+function text = frame_data (drawing, stress, camera, frame, tip = 0)
   bodies = drawing.bodies;
   pieces = {};
   for i = 1:numel (bodies)
@@ -31,7 +31,7 @@ function text = frame_data (drawing, stress, camera, frame, path_pieces = 1)
   away /= max (norm (away), realmin);
   [arrow, place] = moment_arrow (moment, hinge, atan2 (away(2), away(1)), 3*camera.symbol);
   settings.clock = clock_text (drawing, frame);
-  settings.tip = (frame - 1)*path_pieces;
+  settings.tip = tip;
   [scale, unit] = unit_prefix (moment, "N m");
   settings.moment_label = repmat (sprintf ("%.3g %s", moment/scale, unit), 1, moment != 0);
   label_size = [5.5*numel(settings.moment_label), 11] * camera.pixel;

@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{text} =} strip_data (@var{drawing})
 ## The strips beside the frames of @var{drawing} (see @code{draw_pictures}) for @file{strips.gp}: $history, the time
-## and all curves, the time's range and step, and what each strip has, as arrays (see @code{strip_names}).
+## and all curves at each frame, or, of more than 4000 frames, at each of a stride of them, the time's range and step,
+## and what each strip has, as arrays (see @code{strip_names}).
 ## @end deftypefn
 
 function text = strip_data (drawing)
@@ -30,7 +31,10 @@ function text = strip_data (drawing)
     settings.places = [settings.places, num2cell(places)];
     table = [table; values];
   endfor
-  text = [gnuplot_settings(time), gnuplot_settings(settings), gnuplot_block("history", {table.'})];
+  ## Each frame draws the whole history: no more of it than can be seen.
+  time.stride = ceil (columns (table)/4000);
+  text = [gnuplot_settings(time), gnuplot_settings(settings), ...
+          gnuplot_block("history", {table(:,1:time.stride:end).'})];
 endfunction
 
 ## one curve is named by the label, and names that a strip above has need not be said again
@@ -55,3 +59,11 @@ endfunction
 %! text = strip_data (drawing);
 %! assert (! isempty (strfind (text, "named[2] = [2, 0]")));
 %! assert (! isempty (strfind (text, "names[2] = ['x', 'y']")));
+%!test # of a long run so many times as can be seen
+%! drawing = sample_bodies (2);
+%! drawing.time = (0:180000)/50;
+%! drawing.strips.values = [drawing.time; -drawing.time];
+%! text = strip_data (drawing);
+%! history = sscanf (text(strfind (text, "<< END")+6:end), "%f", [3, Inf]);
+%! assert (columns (history) <= 4000); assert (history(1,end), 3600, 1);
+%! assert (! isempty (strfind (text, "stride = 46")));

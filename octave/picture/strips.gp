@@ -6,6 +6,7 @@ unset ylabel
 set xrange [t_low:t_high]
 set xtics t_step
 column = 1
+last_row = (frame - 1)/stride
 name = 1
 do for [i=1:strips] {
   set margins at screen R(strip_left),at screen R(25),at screen Y(bottom(i)),at screen Y(bottom(i) + strip_height)
@@ -22,8 +23,8 @@ do for [i=1:strips] {
     name = name + 1
   }
   plot for [k=1:n] $history using 1:column+k with lines lc rgb light notitle, \
-       for [k=1:n] $history using 1:column+k every ::0::frame-1 with lines lt k notitle, \
-       for [k=1:n] $history using 1:column+k every ::frame-1::frame-1 with points lt k pt 7 ps 1.2 notitle
+       for [k=1:n] $history using 1:column+k every ::0::last_row with lines lt k notitle, \
+       for [k=1:n] $history using 1:column+k every ::last_row::last_row with points lt k pt 7 ps 1.2 notitle
   column = column + n
   unset label
 }

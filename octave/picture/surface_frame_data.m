@@ -11,7 +11,8 @@ function text = surface_frame_data (drawing, shown, name)
                      "elevation", 90 - drawing.surface.elevation, ...
                      "azimuth", mod (90 + drawing.surface.azimuth(last), 360));
   rods = arrayfun (@(k) [rod.x(:,k), rod.y(:,k), rod.z(:,k)], shown, "uniformoutput", false);
-  tip = [rod.x(end,1:last); rod.y(end,1:last); rod.z(end,1:last)].';
+  behind = max (1, last - 3000):last;  # of a long run not all, since each frame draws it
+  tip = [rod.x(end,behind); rod.y(end,behind); rod.z(end,behind)].';
   ends = [1, rows(rod.x)](drawing.surface.held);
   held = [rod.x(ends,last), rod.y(ends,last), rod.z(ends,last)];
   text = [gnuplot_settings(settings), gnuplot_block("rod", rods), gnuplot_block("tip", {tip([1:end, end],:)}), ...

@@ -5,8 +5,8 @@
 ## the rod, stiffer as it turns, goes on vibrating at 4.51 rad/s; one or two clamped bending modes are enough for that.
 ##
 ## Without foreshortening the tip lags by 0.66 m and vibrates at 3.45 rad/s: the rod softens.  It would lose its
-## stiffness at 3.80 rad/s in a frame that is clamped to the hub; the frame here turns with the chord, which shortens no
-## rod, so that it would at the simply supported rod's 10.66 rad/s, which the hub never reaches.
+## stiffness at 3.80 rad/s in a frame that is clamped to the hub; the frame here turns with the chord, which shortens
+## no rod, so that it would at the simply supported rod's 10.66 rad/s, which the hub never reaches.
 ## @end deftypefn
 
 function scene = spin_up ()
@@ -52,5 +52,5 @@ endfunction
 %! assert (first (bending, mass), 3.7977, 1e-3); assert (first (system.stiffness, system.mass), 3.7977, 1e-3);
 %! assert (found.foreshortening, first (bending + tension - 36*mass, mass), 1e-3);
 %! assert ([found.foreshortening, found.none], [4.51, 3.45], 5e-3);
-%! ## without foreshortening v2 of the chord's frame is left with bending alone: K - phi_dot^2 M, at any rate of the hub
+%! ## without foreshortening the chord's frame has K - phi_dot^2 M
 %! assert (first (model.arrays.stiffness_matrix, model.arrays.mass_matrix), 10.66, 5e-3);

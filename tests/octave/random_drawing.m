@@ -29,8 +29,9 @@ function drawing = random_drawing (seed, drawing)
 endfunction
 
 function text = random_text ()
-  parts = {"a", "Stab", "it's", "\"", "''", "\\", "\\n", "\n", "\t", "{", "}", "{/Symbol a}", "%", "%s", "%d", "$x", ...
-           "`date`", "@", "^", "_", "&", "~", "#", ";", ",", " ", "[1]", "ž", "φ̇", "日本", "😀", "<b>", "--", "END"};
+  parts = {"a", "Stab", "it's", "\"", "''", "\\", "\\n", "\n", "\t", "{", "}", "{/Symbol a}", "%", "%s", "%d", ...
+           "$x", "`date`", "@", "^", "_", "&", "~", "#", ";", ",", " ", "[1]", "ž", "φ̇", ...
+           "日本", "😀", "<b>", "--", "END"};
   text = ["" parts{randi(numel (parts), 1, pick ({0, 1, 3, 8, 60}))}];
 endfunction
 
