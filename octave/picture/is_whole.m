@@ -1,22 +1,42 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{whole} =} is_whole (@var{file})
-## Whether a picture is there and ends as files of its kind do: gnuplot ends well on a full disk.
+## Whether a picture or a film is there and ends as files of its kind do: on a full disk gnuplot and ffmpeg may end
+## without an error.
 ## @end deftypefn
 
 function whole = is_whole (file)
-  ends = struct ("png", ["IEND", char([174, 66, 96, 130])], "svg", "</svg>", "pdf", "%%EOF", "gif", ";", "mp4", "");
+  ends = struct ("png", ["IEND", char([174, 66, 96, 130])], "svg", "</svg>", "pdf", "%%EOF", "gif", ";");
   [~, ~, kind] = fileparts (file);
   id = fopen (file, "r");
-  whole = id >= 0 && stat (file).size > 0;
-  if (whole)
-    fseek (id, -min (12, stat (file).size), SEEK_END ());
+  if (id < 0)
+    whole = false;
+    return;
+  endif
+  bytes = stat (file).size;
+  if (strcmp (kind, ".mp4"))
+    whole = boxes_fit (id, bytes);
+  else
+    fseek (id, -min (12, bytes), SEEK_END ());
     tail = fread (id, Inf, "uint8=>char").';
-    ending = ends.(kind(2:end));
-    whole = isempty (ending) || ! isempty (strfind (tail, ending));
+    whole = ! isempty (strfind (tail, ends.(kind(2:end))));
   endif
-  if (id >= 0)
-    fclose (id);
-  endif
+  fclose (id);
+endfunction
+
+## An MP4 file is a row of boxes of known sizes: one is the index, moov, and one has the pictures, mdat.
+function whole = boxes_fit (id, bytes)
+  place = 0;
+  kinds = {};
+  while (place + 8 <= bytes)
+    fseek (id, place, SEEK_SET ());
+    box = fread (id, 1, "uint32", 0, "ieee-be");
+    kinds{end+1} = fread (id, 4, "uint8=>char").';
+    if (box == 1)
+      box = fread (id, 1, "uint64", 0, "ieee-be");
+    endif
+    place += max (box, 8);
+  endwhile
+  whole = place == bytes && all (ismember ({"moov", "mdat"}, kinds));
 endfunction
 
 %!assert (is_whole ("/nowhere.png"), false)
@@ -31,4 +51,16 @@ endfunction
 %!   assert (is_whole (file));
 %! unwind_protect_cleanup
 %!   unlink (file);
+%! end_unwind_protect
+%!testif ; system ("command -v ffmpeg > /dev/null") == 0 # a film, and one that is cut
+%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
+%! file = fullfile (folder, "a.mp4");
+%! unwind_protect
+%!   system (["ffmpeg -nostdin -loglevel error -f lavfi -i testsrc=d=0.5:s=320x320 -c:v mpeg4 " file]);
+%!   assert (is_whole (file));
+%!   bytes = fileread (file);
+%!   write_text (file, bytes(1:end-1));
+%!   assert (is_whole (file), false);
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
 %! end_unwind_protect

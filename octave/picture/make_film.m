@@ -24,16 +24,13 @@ function [missing, warnings] = make_film (frames, frames_per_second, folder)
          source " -i palette.png -filter_complex '" filter "' animation.gif"];
   job = start_tool (folder, "ffmpeg", gif);
   [encoder, why_not_mp4] = encode (folder, source);
-  why_not_gif = finished (job);
+  why_not_gif = finished (job, fullfile (folder, "animation.gif"));
   [~, ~] = unlink (fullfile (folder, "palette.png"));
   if (isempty (encoder))
     missing(end+1,:) = {"animation.mp4", why_not_mp4};
   elseif (! isempty (why_not_mp4))
     warnings = {sprintf(["animation.mp4 is encoded by %s, whose pictures are coarser and which not all players" ...
                          " show: %s; an ffmpeg with libx264 has the better film"], encoder, why_not_mp4)};
-  endif
-  if (isempty (why_not_gif) && ! is_whole (fullfile (folder, "animation.gif")))
-    why_not_gif = "cannot be written whole: is the disk full?";
   endif
   if (! isempty (why_not_gif))
     missing(end+1,:) = {"animation.gif", why_not_gif};
@@ -50,7 +47,7 @@ function [encoder, why] = encode (folder, source)
   for row = encoders.'
     encoder = row{1};
     film = sprintf ("%s -c:v %s %s -pix_fmt yuv420p -movflags +faststart animation.mp4", source, row{:});
-    failed = finished (start_tool (folder, "ffmpeg", film));
+    failed = finished (start_tool (folder, "ffmpeg", film), fullfile (folder, "animation.mp4"));
     if (isempty (failed))
       return;
     elseif (isempty (why))
@@ -61,11 +58,14 @@ function [encoder, why] = encode (folder, source)
   [~, ~] = unlink (fullfile (folder, "animation.mp4"));
 endfunction
 
-## "" when a job ends well, else why not
-function why = finished (job)
+## "" when a job ends well and its file is whole, else why not
+function why = finished (job, file)
   why = "";
   try
     finish_tool (job);
+    if (! is_whole (file))
+      why = "cannot be written whole: is the disk full?";
+    endif
   catch err
     why = strtrim (err.message);
   end_try_catch
