@@ -5,7 +5,8 @@
 ## by the method @var{solver}.name of @code{constrained_table}; "auto" is "radau".  Between two breaks of the loads
 ## every interval is integrated for itself.
 ##
-## @var{states}: q, v (n-by-m), lambda (constraints-by-m), W, D (1-by-m).  @var{count}: method, steps, calls, seconds.
+## @var{states}: q, v (n-by-m), lambda (constraints-by-m), W, D (1-by-m).  @var{count}: method, steps, calls, seconds,
+## still (see @code{stays}).
 ## @end deftypefn
 
 function [states, count] = integrate_constrained (system, times, start, solver)
@@ -27,6 +28,7 @@ function [states, count] = integrate_constrained (system, times, start, solver)
     steps += taken;
   endfor
   count = struct ("method", method.name, "steps", steps, "calls", watch_rate (), "seconds", toc (clock));
+  count.still = stays (states.q, system.q_scale, solver.tolerance);
 endfunction
 
 ## loads from inside an interval, and every state counted

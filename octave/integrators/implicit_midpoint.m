@@ -17,7 +17,7 @@ function [z, converged] = step (t, z, h, rate, inverse)
   for sweep = 1:30
     change = inverse*(z + h/2*rate (t + h/2, middle) - middle);
     middle += change;
-    size = max (abs (change)./(abs (middle) + 1e-3*max (abs (middle))));
+    size = max (abs (change)./max (abs (middle) + 1e-3*max (abs (middle)), realmin));
     if (size <= 1e-13 || (size <= 1e-10 && size >= last))  # as near as rounding lets it
       break;
     endif
@@ -34,3 +34,9 @@ endfunction
 %! [z, converged] = stepper.step (0, [1; 0]);
 %! assert (converged);
 %! assert (z, [1; 0] + 0.1*rate (0, ([1; 0] + z)/2), 1e-14);
+%!test # at rest it has converged
+%! system = struct ("momenta", struct ("rate", @(t, z) [z(2); -sin(z(1))], "form", @(y) y, "state", @(z) z, ...
+%!                                     "linear", [0 1; -1 0]));
+%! stepper = implicit_midpoint (system, 0.1, struct ());
+%! [z, converged] = stepper.step (0, [0; 0]);
+%! assert (converged); assert (z, [0; 0]);

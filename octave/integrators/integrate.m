@@ -10,10 +10,11 @@
 ##
 ## Every interval between two breaks of the load is integrated for itself, so that no step runs across a break; loads
 ## are taken from inside it, since they jump at its ends.
-## @var{count}: method, steps, calls of the rate and seconds.
+## @var{count}: method, steps, calls of the rate, seconds, and still (see @code{stays}).
 ## @end deftypefn
 
 function [states, count] = integrate (system, times, solver)
+  tolerance = solver.tolerance;
   table = integrator_table ();
   method = table(strcmp (strrep (solver.name, "auto", "waveform"), {table.name}));
   turned = system.turned && any (strcmp (method.name, {"ode45", "ode23"}));
@@ -38,6 +39,8 @@ function [states, count] = integrate (system, times, solver)
     steps += taken;
   endfor
   count = struct ("method", method.name, "steps", steps, "calls", watch_rate (), "seconds", toc (start));
+  n = rows (system.mass);
+  count.still = stays (states(1:n,:), system.state_scale(1:n), tolerance);
 endfunction
 
 ## the system's rates, counted, with loads from inside an interval

@@ -1,11 +1,11 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{I} =} panel_integrals (@var{z}, @var{x}, @var{m})
 ## The integrals of exp (@var{z}*(x - s)) T_i (2 s - 1) over s from 0 to x, for each complex z (n-by-1) and each
-## fraction of @var{x} (1-by-k, 0 to 1): what Chebyshev's polynomials of the degrees i = 0 to @var{m} - 1, as loads on a
-## panel, do to what grows or turns as exp (z*s); (n k)-by-m, all z of a fraction below each other.
+## fraction of @var{x} (1-by-k, 0 to 1): what Chebyshev's polynomials of the degrees i = 0 to @var{m} - 1, as loads on
+## a panel, do to what grows or turns as exp (z*s); (n k)-by-m, all z of a fraction below each other.
 ##
-## Up to abs (z*x) = 16 by Gauss's rule of 20 points, which is exact to rounding there, beyond by parts: the derivatives
-## at both ends by the powers of 1/z.  Both are free of the cancellation that the powers of s have.
+## Up to abs (z*x) = 16 by Gauss's rule of 20 points, which is exact to rounding there, beyond by parts: the
+## derivatives at both ends by the powers of 1/z.  Both are free of the cancellation that the powers of s have.
 ## @end deftypefn
 
 function I = panel_integrals (z, x, m)

@@ -27,8 +27,8 @@ function [free, forced] = panel_response (modal, h, x, weights, extra)
                    rest, of_rest + node, constant, R*k, R*m).';
 endfunction
 
-## what the first column, a state, and the others, unit loads at the nodes, become: same + other*A of the modes, and what
-## only follows the loads
+## what the first column, a state, and the others, unit loads at the nodes, become: same + other*A of the modes, and
+## what only follows the loads
 function [same, other, constant] = moved (modal, h, x, weights)
   [first, second] = oscillator_roots (modal.omega, modal.damping, h*ones (modal.n, 1));
   f = by_root (h, [first; 0], x, weights);

@@ -31,5 +31,5 @@ endfunction
 %! assert (strtrim (said), "breaks found in the loads: moment at t = 12.3, 12.35 s");
 %! assert (evalc ("announce_breaks (struct ('name', 'moment', 'looked_at', 20011, 'breaks', zeros (1, 0)))"), "");
 %! said = evalc ("announce_breaks (struct ('name', 'force', 'looked_at', 1009, 'breaks', 1:9))");
-%! assert (strtrim (said), ["breaks found in the loads: force at t = 1, 2, 3, 4, 5, 6 and 3 more s; force takes long," ...
-%!                          " it was looked at 1009 times only"]);
+%! assert (strtrim (said), ["breaks found in the loads: force at t = 1, 2, 3, 4, 5, 6 and 3 more s; force takes" ...
+%!                          " long, it was looked at 1009 times only"]);

@@ -72,7 +72,7 @@ function refuse_vectors (load, times)
 endfunction
 
 function text = text_of (value)
-  text = sprintf ("a %s %s", strjoin (arrayfun (@num2str, size (value), "UniformOutput", false), "-by-"), class (value));
+  text = sprintf ("a %s %s", strrep (num2str (size (value)), "  ", "-by-"), class (value));
   if ((isnumeric (value) || islogical (value)) && numel (value) <= 9)
     text = mat2str (value);
   endif
@@ -95,4 +95,5 @@ endfunction
 %!error <joints\(2\).value gives .*i at t = 0.25: it takes> load_values (of (@(t) sqrt (0.25 - t), 1, true), 0:0.2:1);
 %!error <joints\(2\).value gives \[1 2\] at t = 0.5> load_values (of (@(t) 1:1+(t >= 0.5)), 0:0.2:1);
 %!error <joints\(2\).value gives 300 at t = \[0  1\]: it takes two> load_values (of (@(t) 300, 1, true), [0 1])
-%!error <joints\(2\).value fails at t = \[0  1\]: .*nonconformant.*: it takes two> load_values (of (@(t) t*t, 1, true), [0 1])
+%!error <joints\(2\).value fails at t = \[0  1\]: .*nonconformant.*: it takes two>
+%! load_values (of (@(t) t*t, 1, true), [0 1])

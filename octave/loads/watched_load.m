@@ -30,7 +30,8 @@ endfunction
 
 %!assert (watched_load ("force", []), [])
 %!assert (watched_load ("force", @(t) [t t]) (2), [2 2])
-%!error <moment gives a number that is not finite at t = 0.6, which> watched_load ("moment", @(t) 1./(t != 0.6)) ([0.5 0.6 0.7])
+%!error <moment gives a number that is not finite at t = 0.6, which>
+%! watched_load ("moment", @(t) 1./(t != 0.6)) ([0.5 0.6 0.7])
 %!error <force fails at t = 0.5: no wind> watched_load ("force", @(t) error ("no wind")) (0.5)
 %!test
 %! try

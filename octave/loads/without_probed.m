@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} without_probed (@var{scene})
-## A @var{scene} without what its check has noted of its loads (see @code{load_breaks}), so that it can be checked anew.
+## A @var{scene} without what its check has noted of its loads (see @code{load_breaks}), so that it can be checked
+## anew.
 ## @end deftypefn
 
 function scene = without_probed (scene)

@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{fields} =} scene_fields ()
 ## All fields of a scene, a row each: name, default, kind (see @code{value_error}).  A default of NaN means that the
-## field must be given; the breaks are those of all loads, whose functions take one t.
+## field must be given; the breaks are those of all loads, whose functions take one t (the moment's: many);
+## jumps that they leave out are found (see @code{load_breaks}).
 ## @end deftypefn
 
 function fields = scene_fields ()

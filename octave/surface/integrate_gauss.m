@@ -9,7 +9,7 @@
 ## the last doubling's change of place within @var{tolerance} (m), and the energy balance within @var{balance} (default
 ## 3e-9) of the largest energy, or of its floor (see @code{energy_floor}): a rod at rest has none to measure by.
 ## Oscillations of stretching too fast for that keep their energy, not their phase.
-## @var{count}: method, steps, calls of the residual (a column each) and seconds.
+## @var{count}: method, steps, calls of the residual (a column each), seconds, and still (see @code{stays}).
 ## @end deftypefn
 
 function [states, count] = integrate_gauss (system, times, tolerance, balance = 3e-9)
@@ -53,6 +53,7 @@ function [states, count] = integrate_gauss (system, times, tolerance, balance = 
     states(:,here) = repmat (y, 1, sum (here));
   endfor
   count = struct ("method", "gauss", "steps", steps, "calls", watch_rate (), "seconds", toc (start));
+  count.still = stays (states(1:n,:), system.state_scale(1:n), tolerance*numel (times));
 endfunction
 
 ## how far the energy balance moves between two states, beyond rounding, as a part of the largest change of an energy

@@ -72,7 +72,8 @@ endfunction
 %!   check (@(t) sqrt (3 - t), "gives 0+");
 %!   check (@(t) 1./(t - 20), "gives ");
 %! endfor
-%! assert (! isempty (strfind (refused ("mechanism", @(t) ones (1, 1 + (t > 5))), "joints(2).value gives [1 1] at t = 5:")));
+%! said = refused ("mechanism", @(t) ones (1, 1 + (t > 5)));
+%! assert (! isempty (strfind (said, "joints(2).value gives [1 1] at t = 5:")));
 %!test # a load that is bad only between the times looked at: known in the run, and noted
 %! confirm_recursive_rmdir (false, "local");
 %! near = @(t, c) abs (t*c - round (t*c)) < 1e-6;
@@ -86,15 +87,16 @@ endfunction
 %!     catch err
 %!       said = strtrim (err.message);
 %!     end_try_catch
-%!     assert (! isempty (regexp (said, [regexptranslate("escape", kind{2}) " gives a number that is not finite at t = \\d"])));
+%!     text = [kind{2} " gives a number that is not finite at t = "];
+%!     assert (strncmp (said, text, numel (text)));
 %!     assert (jsondecode (fileread (fullfile (folder, "summary.json"))).last_failure.message, said);
 %!   unwind_protect_cleanup
 %!     rmdir (folder, "s");
 %!   end_unwind_protect
 %! endfor
 %!test # the paper's moment with and without its break: the same digits
-%! of = @(breaks) driver (setfield (setfield (paper (), "model", "modes", [0 3]), "moment_breaks", breaks), "output", "", ...
-%!                        "solver", "waveform", "tolerance", 1e-6).history;
+%! of = @(breaks) driver (setfield (paper (), "moment_breaks", breaks), "modes", [0 3], "output", "", "solver", ...
+%!                        "waveform", "tolerance", 1e-6).history;
 %! [told, found] = deal (of (0.3), of ([]));
 %! for [value, name] = told
 %!   assert (found.(name), value);
