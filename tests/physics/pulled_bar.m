@@ -51,20 +51,30 @@ endfunction
 %! bar = soft_bar ();
 %! scene = hinged_bar (bar);
 %! scene.solver.tolerance = 5e-5;
-%! result = driver (scene, "output", "");
+%! evalc ("result = driver (scene, \"output\", \"\");");
 %! [trial.x, ~] = centreline (result.model, linspace (0, bar.length, 21), result.history, 1);
 %! off = off_wave (trial, bar, result.history.t);
 %! assert (off <= 5e-5);
 %! assert (result.summary.estimated_error_m/off > 0.3 && result.summary.estimated_error_m/off < 10);
 
-%!test # so does a mechanism, against one of a few functions more
+%!test # so does the chosen mechanism
+%! bar = soft_bar ();
+%! scene = jointed_bar (bar);
+%! [scene.duration, scene.solver.tolerance] = deal (0.042, 4e-4);
+%! evalc ("result = driver (scene, \"output\", \"\");");
+%! body = result.history.bodies;
+%! trial.x = body_centreline (result.mechanism.models{1}, linspace (0, bar.length, 11), body, 1);
+%! off = off_wave (trial, bar, result.history.t);
+%! assert (off <= 4e-4);
+%! assert (result.summary.estimated_error_m/off > 0.3 && result.summary.estimated_error_m/off < 10);
+%!test # and one of a few functions is as far from the waves as from one of a few more: not four times as far
 %! bar = soft_bar ();
 %! scene = check_mechanism (jointed_bar (bar));
-%! scene.solver.tolerance = 1e-5;
+%! [scene.duration, scene.solver.tolerance] = deal (0.042, 1e-5);
 %! trial_of = @(n) mechanism_trial (scene, mechanism_rungs (scene, 0, n));
-%! [few, more] = deal (trial_of (1), trial_of (3));
+%! [few, more] = deal (trial_of (2), trial_of (3));
 %! off = off_wave (few, bar, frame_times (scene));
-%! assert (off < 0.4*bar.force/bar.EA);
+%! assert (off < 0.3*bar.force/bar.EA);
 %! assert (distance (few, more)/off > 0.5 && distance (few, more)/off < 2);
 
 %!test # two functions are the static elongation of a mechanism's rod: by a force within it, and at its tip
