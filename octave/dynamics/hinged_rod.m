@@ -70,7 +70,8 @@ endfunction
 %! y_dot = system.rate (1, system.initial_state, [0.3 1.8]);
 %! J = 7800*6e-4/3 + 7800*0.02*2*0.015^3/3; S = 7800*6e-4/2;
 %! assert (y_dot(2), -9.81*S*cos (pi/6), 1e-12);
-%!error <solver.name is "trigonometric": with longitudinal modes without inertia a force changes the momentum of phi at once; take waveform, or model.axial = "dynamic">
-%! scene = setfield (setfield (paper (), "force", @(t) [1 0]), "model", struct ("modes", [1 1], "axial", "quasistatic"));
+%!error <"trigonometric": with longitudinal modes without inertia a force changes .*; take waveform, or model.axial>
+%! scene = setfield (paper (), "force", @(t) [1 0]);
+%! scene.model = struct ("modes", [1 1], "axial", "quasistatic");
 %! scene = check_scene (setfield (scene, "solver", "name", "trigonometric"));
 %! hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
