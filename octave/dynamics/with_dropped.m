@@ -2,7 +2,8 @@
 ## @deftypefn {} {@var{system} =} with_dropped (@var{scene}, @var{model})
 ## The system of @code{rod_system} with the forces of what the @var{model} of a straight rod drops (see
 ## @code{dropped_forces}), taken along its own motion: how its motion differs is, to the first order, the model's error
-## against the geometrically exact rod.  In a hub the tangent at O has the angle that its slope really has.  Work and
+## against the geometrically exact rod.  Those forces
+## need accelerations, which feel them: first taken without, then with.  In a hub the tangent at O has the angle that its slope really has.  Work and
 ## dissipated energy are left at 0.
 ## @end deftypefn
 
@@ -31,11 +32,17 @@ function y_dot = hinged (t, y, interval, n, y_dot, c)
   c.interval = interval;
   [q, q_dot, q_ddot, phi, phi_dot] = deal (y(1:n,:), y(n+2:2*n+1,:), y_dot(n+2:2*n+1,:), y(n+1,:), y_dot(n+1,:));
   [mass_q_phi, mass_phi_phi, ~, force_phi] = rod_forces (t, phi, phi_dot, q, q_dot, c);
-  phi_ddot = (force_phi - sum (mass_q_phi.*q_ddot, 1))./mass_phi_phi;
-  [force_q, torque] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c);
-  [solved, solved_mass] = deal (c.inverse_mass_matrix*force_q, c.inverse_mass_matrix*mass_q_phi);
-  phi_ddot = (torque - sum (mass_q_phi.*solved, 1))./(mass_phi_phi - sum (mass_q_phi.*solved_mass, 1));
-  y_dot(n+2:2*n+1,:) += solved - solved_mass.*phi_ddot;
+  solved_mass = c.inverse_mass_matrix*mass_q_phi;
+  free_mass = mass_phi_phi - sum (mass_q_phi.*solved_mass, 1);
+  start = {q_ddot, (force_phi - sum(mass_q_phi.*q_ddot, 1))./mass_phi_phi};
+  accelerations = {0*q, 0*phi};
+  for pass = 1:2
+    [force_q, torque] = dropped (t, q, q_dot, accelerations{1}, phi, phi_dot, accelerations{2}, c);
+    solved = c.inverse_mass_matrix*force_q;
+    phi_ddot = (torque - sum (mass_q_phi.*solved, 1))./free_mass;
+    accelerations = {start{1} + solved - solved_mass.*phi_ddot, start{2} + phi_ddot};
+  endfor
+  y_dot(n+2:2*n+1,:) = accelerations{1};
   y_dot(2*n+2,:) += torque;
   y_dot(2*n+3:end,:) = 0;
 endfunction
@@ -52,10 +59,12 @@ function y_dot = in_hub (t, y, interval, n, c)
   turning = theta(3,:) - acceleration - second_rate;
   [mass_q_phi, mass_phi_phi, force_q, force_phi] = rod_forces (t, phi, phi_dot, q, q_dot, c);
   solved = @(f, g) hub_accelerations (c.inverse_mass_matrix, mass_q_phi, mass_phi_phi, gradient, f, g, turning);
-  q_ddot = solved (force_q, force_phi);
-  phi_ddot = turning - sum (gradient.*q_ddot, 1);
-  [more_q, more_phi] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c);
-  y_dot = [q_dot; solved(force_q + more_q, force_phi + more_phi); zeros(2, columns (q))];
+  [q_ddot, phi_ddot] = deal (0*q, 0*phi);
+  for pass = 1:2
+    [more_q, more_phi] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c);
+    [q_ddot, phi_ddot] = solved (force_q + more_q, force_phi + more_phi);
+  endfor
+  y_dot = [q_dot; q_ddot; zeros(2, columns (q))];
 endfunction
 
 function [force_q, force_phi] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c)
