@@ -19,11 +19,12 @@ function summary = summarise_mechanism (name, scene, mechanism, choice, count, h
   summary.method = count.method;
   summary.tolerance_m = scene.solver.tolerance;
   summary.estimated_error_m = [];
-  summary.estimated_error_pixels = [];
+  summary.estimated_error_pixels = summary.dropped_m = [];
   summary.tried = [];
   summary.seconds = struct ("choice", 0, "integration", count.seconds);
   if (! isempty (choice.trial))
-    summary.estimated_error_m = distance (mechanism_points (mechanism, history), choice.reference);
+    summary.dropped_m = dropped_of_bodies (scene, mechanism, history);
+    summary.estimated_error_m = distance (mechanism_points (mechanism, history), choice.reference) + summary.dropped_m;
     half_pixel = mechanism_tolerance (setfield (scene, "solver", "tolerance", "pixel"));
     summary.estimated_error_pixels = summary.estimated_error_m/(2*half_pixel);
     summary.tried = rmfield (choice.tried, "rung");
@@ -35,8 +36,17 @@ function summary = summarise_mechanism (name, scene, mechanism, choice, count, h
   summary.largest_energy_error = max (energy_error (history));
   summary.largest_constraint_residual = max (history.residual);
   summary.largest_constraint_velocity = max (history.velocity_residual);
-  summary.warnings = [choice.warnings, warnings, energy_warning(summary.largest_energy_error, 1e-3), ...
+  summary.warnings = [choice.warnings, warnings, energy_warning(summary.largest_energy_error, 1e-3), dropped_warning(summary), ...
                       large_deflections(scene, mechanism, history)];
+endfunction
+
+function warnings = dropped_warning (summary)
+  warnings = {};
+  if (! isempty (summary.dropped_m) && summary.dropped_m > summary.tolerance_m)
+    warnings = {sprintf(["what the models drop beyond foreshortening moves the rods by some %.2g m, the tolerance is" ...
+                         " %.2g m: take a rod that bends so much as several shorter ones welded together"], ...
+                        summary.dropped_m, summary.tolerance_m)};
+  endif
 endfunction
 
 ## the rods' bending is linear: it holds for small slopes

@@ -31,7 +31,8 @@ function dropped = dropped_error (scene, model, history)
   end_try_catch
   [own_x, own_y] = centreline (model, stations, history, 1);
   [exact_x, exact_y] = centreline (model, stations, moved, 1);
-  [nearer_x, nearer_y] = rod_centreline (moved.phi(ones (21, 1),:), 0, -nearer_by (model, stations, moved.V), 0);
+  [nearer_x, nearer_y] = rod_centreline (moved.phi(ones (21, 1),:), 0, ...
+                                          -dropped_shortening (model, stations, moved.V), 0);
   dropped.x = exact_x + nearer_x - own_x;
   dropped.y = exact_y + nearer_y - own_y;
   dropped.metres = max (hypot (dropped.x, dropped.y)(:));
@@ -47,15 +48,6 @@ function metres = bound (scene, model, history)
   omega = sqrt (diag (model.arrays.stiffness_matrix)./diag (model.arrays.mass_matrix));
   phase = (omega + max (abs (history.phi_dot)))*scene.duration;
   metres = slope^2*sum (largest.*(1 + phase/4));
-endfunction
-
-## w4 (m) at the stations, by which they are nearer to O than the model has them
-function w4 = nearer_by (model, stations, V)
-  points = dropped_points (model, struct ("tip_mass", 0, "force_station", 0));
-  [along, across] = functions_at (model.base, points.axis.xi, 1);
-  none = zeros (numel (points.axis.xi), columns (V));
-  [~, slopes] = rod_shortening_rates (across*V, none, none, along*V, none);
-  w4 = integrals_to (points.axis, stations)*slopes;
 endfunction
 
 %!function [dropped, scene, history, model] = of_spin_up (tolerance, duration)

@@ -4,7 +4,7 @@
 ##
 ## @table @code
 ## @item metres
-## the largest distance of the centreline from that of the richer model of the @var{choice} (see @code{choose_model}),
+## the largest distance of the centreline from that of the richer model of the @var{choice} (see @code{choose}),
 ## moved by what the whole family of models drops
 ## @item of_choice
 ## the same without what is dropped
