@@ -10,7 +10,7 @@ function z = surface_equilibrium (system, z = zeros (system.n, 1), t = 0)
   smallest = Inf;
   for sweep = 1:200
     R = system.residual (t, z, none, none);
-    step = -(tangent_stiffness (system, t, z, none, none) \ R);
+    step = -pinv (tangent_stiffness (system, t, z, none, none))*R;  # a rod without tension may turn freely
     length = system.size (step);
     z += step*min (1, 0.1*system.points(end)/length);
     if (length < 1e-12*system.points(end) || (length < 1e-8*system.points(end) && length >= smallest))
