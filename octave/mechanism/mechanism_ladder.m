@@ -15,7 +15,8 @@ function ladder = mechanism_ladder (scene)
   scene.solver.name = "auto";
   ladder.share = 0.5;
   ladder.parts = parts_of (most);
-  ladder.first = @() deal (within (struct ("bending", 1, "longitudinal", 0), least, most), stiffening_of_bodies (scene));
+  ladder.first = @() deal (within (struct ("bending", 1, "longitudinal", 0), least, most), ...
+                           stiffening_of_bodies (scene));
   ladder.richer = @(rung) within (struct ("bending", ceil (1.5*rung.bending) + 2, ...
                                           "longitudinal", 2*rung.longitudinal + 1), least, most);
   ladder.smaller = @(rung, part) one_less (rung, part, least);

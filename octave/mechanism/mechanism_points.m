@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{points} =} mechanism_points (@var{mechanism}, @var{history})
-## The centrelines of a mechanism's bodies at the times of its @var{history} (see @code{measure_mechanism}): a struct of
-## x and y (11 stations of each body by times, m).
+## The centrelines of a mechanism's bodies at the times of its @var{history} (see @code{measure_mechanism}): a struct
+## of x and y (11 stations of each body by times, m).
 ## @end deftypefn
 
 function points = mechanism_points (mechanism, history)

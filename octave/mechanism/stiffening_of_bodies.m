@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{note} =} stiffening_of_bodies (@var{scene})
-## What @code{stiffening_note} has to say of a checked scene's bodies, of those that are straight and state their modes.
+## What @code{stiffening_note} has to say of a checked scene's bodies: of those that are straight and state their
+## modes.
 ## @end deftypefn
 
 function note = stiffening_of_bodies (scene)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{metres} =} left_out (@var{model}, @var{V}, @var{part}, @var{kept})
-## How far the points of a @var{model}'s centreline move (m) by those amplitudes @var{V} (N-by-m) of a @var{part} of its
-## base functions, 1: longitudinal, 2: bending, that a model with the first @var{kept} of them has not.  Functions with
-## numbers below 0, corrections for the ends, are kept while any is.
+## How far the points of a @var{model}'s centreline move (m) by those amplitudes @var{V} (N-by-m) of a @var{part} of
+## its base functions, 1: longitudinal, 2: bending, that a model with the first @var{kept} of them has not.  Functions
+## with numbers below 0, corrections for the ends, are kept while any is.
 ## @end deftypefn
 
 function metres = left_out (model, V, part, kept)

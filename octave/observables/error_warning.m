@@ -23,10 +23,10 @@ endfunction
 
 ## a rod on a plane is exact, but has neither hub nor tip mass, damping or a force on the way
 function text = instead (scene)
-  if (isempty (scene.rotation) && isempty (scene.force) && scene.tip_mass == 0 && scene.rod.damping == 0)
+  text = "several shorter rods welded together (scene.bodies, joints of the kind \"weld\") bend less each";
+  if (isfield (scene, "rod") && isempty (scene.rotation) && isempty (scene.force) && scene.tip_mass == 0 ...
+      && scene.rod.damping == 0)
     text = "the rod on an upright plane, scene.surface.name = \"plane\", is geometrically exact";
-  else
-    text = "several shorter rods welded together (scene.bodies, joints of the kind \"weld\") bend less each";
   endif
 endfunction
 

@@ -20,9 +20,14 @@ function summary = summarise_surface (name, run, choice)
   summary.tolerance_m = scene.solver.tolerance;
   summary.estimated_error_m = [];
   summary.tried = [];
+  error_warnings = {};
   if (! isempty (choice.trial))
     summary.estimated_error_m = distance (history, choice.reference);
     summary.tried = rmfield (choice.tried, "rung");
+    if (isempty (choice.warnings))  # else the chooser has said it
+      metres = summary.estimated_error_m;
+      error_warnings = error_warning (scene, struct ("metres", metres, "of_choice", metres, "dropped", []));
+    endif
   endif
   summary.estimated_error_pixels = summary.estimated_error_m*min (scene.frame_size)/scene.rod.length;
   summary.steps = count.steps;
@@ -38,7 +43,7 @@ function summary = summarise_surface (name, run, choice)
   summary.reaction = [min(history.reaction(:)), max(history.reaction(:))];
   last = cumsum (scene.model.modes + scene.model.sines);
   summary.largest_end_coefficient = max (abs (history.q(last,:))(:))/scene.rod.length;
-  summary.warnings = [choice.warnings, pull_warning(history, scene), ...
+  summary.warnings = [choice.warnings, error_warnings, pull_warning(history, scene), ...
                       strain_warning(history.largest_strain), energy_warning(summary.largest_energy_error, 1e-7)];
 endfunction
 

@@ -30,8 +30,8 @@ endfunction
 %!  system = surface_rod (check_surface_scene (scene));
 %!  omega = sqrt (sort (real (eig (system.stiffness, system.mass))));
 %!endfunction
-%!test # frequency of the first bending on a sphere, whatever the number of polynomials: EI L^2 v = rhoA omega^2 v where
-%! # L v = v'' + v/R^2, with L v = (L v)' = 0 at free ends: k_1 tan (k_1 l/2) + k_2 tanh (k_2 l/2) = 0 for even v
+%!test # frequency of the first bending on a sphere, whatever the number of polynomials: EI L^2 v = rhoA omega^2 v
+%! # where L v = v'' + v/R^2, with L v = (L v)' = 0 at free ends: k_1 tan (k_1 l/2) + k_2 tanh (k_2 l/2) = 0 for even v
 %! k_1 = @(W) sqrt (W + 1); k_2 = @(W) sqrt (W - 1);  # W = omega R^2 sqrt (rhoA/EI), l = R
 %! W = fzero (@(W) k_1 (W)*tan (k_1 (W)/2) + k_2 (W)*tanh (k_2 (W)/2), [20 25], optimset ("TolX", 1e-14));
 %! exact = W*sqrt (0.1/3)/0.7^2;
