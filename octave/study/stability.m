@@ -103,3 +103,36 @@ function table = add (table, method, what, predicted, measured)
 endfunction
 
 %!error <cannot be made|can be written> stability ("/proc/nowhere");  # it says so before it computes
+
+%!function csv = short_study ()   # with real growth, and stand-ins that know the answer for what takes long
+%!  stand_ins = {
+%!    "limit = measured_limit", "is_stable, predicted", ...
+%!      "limit = predicted/(is_stable (0.98*predicted) && ! is_stable (1.02*predicted));"
+%!    "ratio = spin_instability", "sines", "ratio = 1;"
+%!    "wall = step_wall", "method, tolerances", "wall = tolerances(:)*[1, 0, 0]; wall(3,2) = stability_limit (method);"
+%!    "found = long_energy", "method, h_omega, periods", ["peaks = sum (exp (-1e3*(h_omega - pi*(1:3)).^2));" ...
+%!      "found = struct (\"periods\", [0 periods], \"error\", [0 1e-9], \"slope\", 0," ...
+%!      " \"slope_deviation\", 1, \"amplitude\", 1e-3*h_omega^2 + 10*peaks);"]
+%!    "table = constrained_stability", "", ["table = struct (\"method\", \"acceleration\", \"what\", \"power\"," ...
+%!      " \"predicted\", 2, \"measured\", 2);"]};
+%!  folder = tempname (); confirm_recursive_rmdir (false, "local");
+%!  unwind_protect
+%!    evalc ("with_stand_ins (stand_ins, @() stability (folder));");
+%!    csv = fileread (fullfile (folder, "stability.csv"));
+%!  unwind_protect_cleanup
+%!    rmdir (folder, "s");
+%!  end_unwind_protect
+%!endfunction
+%!test # each prediction has its measurement beside it, and what is printed of limits is so
+%! rows = regexp (short_study (), '"([^"]*)","([^"]*)",([^,\n]*),([^,\n]*)', "tokens");
+%! predicted = cellfun (@(row) str2double (row{3}), rows);
+%! measured = cellfun (@(row) str2double (row{4}), rows);
+%! known = isfinite (predicted);
+%! assert (sum (! known), 3);  # amplitudes of the energy's error have no prediction
+%! assert (measured(known), predicted(known), 0.02);
+%! limits = strcmp (cellfun (@(row) row{2}, rows, "uniformoutput", false), "limit of h omega");
+%! assert (predicted(limits), [2.828 2 0.997 1.732], 1e-3);
+%! methods = unique (cellfun (@(row) row{1}, rows, "uniformoutput", false));
+%! assert (methods, sort ({"rk4", "stormer_verlet", "ode45", "ode23", "implicit_midpoint", "lsode_bdf, order 1", ...
+%!                         "lsode_bdf, order 2", "generalized_alpha", "no foreshortening", "trigonometric", ...
+%!                         "acceleration"}));

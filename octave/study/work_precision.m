@@ -109,3 +109,37 @@ endfunction
 %!error <model.modes is "many": it takes> work_precision ("paper", "modes", "many")
 %!error <cannot be made|can be written> work_precision ("paper", "output", "/proc/nowhere")
 %!error <cannot be made|can be written> work_precision ("double_pendulum", "output", "/proc/nowhere")
+
+%!function csv = short_chart ()   # of 2 ms, three methods, and stand-ins for what is timed beside
+%!  scene = paper ();
+%!  [scene.duration, scene.frames_per_second] = deal (0.002, 2000);
+%!  stand_ins = {
+%!    "rows = cost_of_size", "sizes", "rows = sizes(:)*[1 2 3];"
+%!    "seconds = call_times", "", "seconds = [1 70];"
+%!    "table = integrator_table", "", [ ...
+%!      "table = struct (\"name\", {\"waveform\", \"exponential\", \"ode45\", \"rk4\"}, \"run\"," ...
+%!      " {@integrate_waveform, @integrate_exponential, @(varargin) integrate_explicit(@ode45, varargin{:})," ...
+%!      " @(varargin) integrate_fixed(@rk4, 4, varargin{:})}, \"adaptive\", {true, true, true, false});"]};
+%!  folder = tempname (); confirm_recursive_rmdir (false, "local");
+%!  unwind_protect
+%!    evalc ("with_stand_ins (stand_ins, @() work_precision (scene, 'output', folder));");
+%!    csv = fileread (fullfile (folder, "chart.csv"));
+%!    assert (csvread (fullfile (folder, "cost.csv"), 1, 0)(:,1:3), 2.^(1:6).'*[1 2 3]);
+%!  unwind_protect_cleanup
+%!    rmdir (folder, "s");
+%!  end_unwind_protect
+%!endfunction
+%!test # a row each tolerance or step: its error within it; literal calls cost 70 times ode45's
+%! lines = strsplit (strtrim (short_chart ()), "\n")(2:end);
+%! rows_of = @(name) lines(strncmp (lines, [name ","], numel (name) + 1));
+%! of = @(name, k) cellfun (@(line) str2double (strsplit (line, ","){k}), rows_of (name));
+%! for name = {"waveform", "exponential", "ode45"}
+%!   assert (of (name{1}, 2), 10.^(-2:-1:-9), 1e-12);
+%!   assert (of (name{1}, 3) <= max (of (name{1}, 2), 1e-10));
+%! endfor
+%! steps = of ("rk4", 2);
+%! assert (steps, 10.^(-2:-0.5:-6), 1e-12);
+%! stable = steps*2.0447e5 < 2.828;  # the highest frequency of 7 + 7 sines
+%! assert (of ("rk4", 3) < 1e-6, stable);
+%! assert (of ("rk4", 6)(stable), 4*0.002./steps(stable), -0.02);
+%! assert (of ("literal ode45", 3), of ("ode45", 3)); assert (of ("literal ode45", 5), 70*of ("ode45", 5), 1e-9);
