@@ -17,8 +17,8 @@ run_octave = $(OCTAVE) --norc --no-gui --no-history --quiet
 derive_everything = maxima/derive "$$GENERATED" "$(MODES_LITERAL)"
 derive_surface = maxima/derive_surface "$${OUTPUT:-output/surfaces}" "$$SURFACE"
 
-.PHONY: help setup derive equations simulate models chart stability choices surfaces conditioning check systems fuzz \
-	clean dist
+.PHONY: help setup derive equations simulate models chart stability choices surfaces conditioning check systems pairs \
+	mutants fuzz clean dist
 
 help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
@@ -36,6 +36,8 @@ help:
 	@echo 'make conditioning    condition number of the mass matrix of arcs against the number of base functions: table'
 	@echo 'make systems     setup, simulate and check in clean Debian 12, 13 and testing, as root' \
 		'[SYSTEMS="trixie" SUITES="rebuild awk" ROOTS=folder]'
+	@echo 'make pairs       all pairs of fields and their values: each runs, or is refused with a reason'
+	@echo 'make mutants     would the tests notice? Mutations of the sources, those that survive [N=200 SEED=1]'
 	@echo 'make fuzz        more of the random round trip [N=10000 SEED=1]'
 	@echo 'make dist        an archive of the sources'
 	@echo 'make clean       remove what runs have written'
@@ -75,6 +77,12 @@ check:
 
 systems:
 	@tests/systems/run
+
+pairs:
+	@$(run_octave) --eval 'source octave/toolchain_path.m; addpath tests/pairs; exit (run_pairs () > 0);'
+
+mutants:
+	@tests/mutants/run
 
 fuzz:
 	@tests/roundtrip/run
