@@ -4,7 +4,8 @@
 ## name, default, kind (see @code{value_error}).  rod and model of a body are those of a scene with one rod
 ## (see @code{scene_fields}).
 ##
-## initial.x, initial.y (m) are the place of the body's end O; without them it is where its first joint puts it.
+## initial.x, initial.y (m) are the place of the body's end O, initial.x_dot, initial.y_dot (m/s) its velocity; without
+## them they are what its first joint makes them.
 ## A joint's kind says which of its fields count, see @code{joint_kinds}.
 ## @end deftypefn
 
@@ -24,8 +25,8 @@ function [scene, body, joint] = mechanism_fields ()
     "initial.x",       [], "number in m"
     "initial.y",       [], "number in m"
     "initial.phi",     0,  "number in rad"
-    "initial.x_dot",   0,  "number in m/s"
-    "initial.y_dot",   0,  "number in m/s"
+    "initial.x_dot",   [], "number in m/s"
+    "initial.y_dot",   [], "number in m/s"
     "initial.phi_dot", 0,  "number in rad/s"
   };
   body = [{"name", "", "text"}; of("rod."); of("tip_mass"); initial; of("initial.V"); of("model.modes");

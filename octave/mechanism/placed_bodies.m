@@ -1,18 +1,22 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{q}, @var{v}] =} placed_bodies (@var{scene}, @var{mechanism})
 ## Coordinates and rates (n-by-1) that the scene's bodies state: a body without initial.x and initial.y is where its
-## first joint with a body that has its place, or with the ground, puts its point.
+## first joint with a body that has its place, or with the ground, puts its point, and one without initial.x_dot and
+## initial.y_dot moves as that point does.
 ## @end deftypefn
 
 function [q, v] = placed_bodies (scene, mechanism)
   count = numel (scene.bodies);
   place = NaN (count, 2);
-  velocity = zeros (count, 2);
+  velocity = NaN (count, 2);
   for k = 1:count
     initial = scene.bodies(k).initial;
     if (! isempty (initial.x) || ! isempty (initial.y))
       place(k,:) = [[initial.x, 0](1), [initial.y, 0](1)];
-      velocity(k,:) = [initial.x_dot, initial.y_dot];
+      velocity(k,:) = 0;
+    endif
+    if (! isempty (initial.x_dot) || ! isempty (initial.y_dot))
+      velocity(k,:) = [[initial.x_dot, 0](1), [initial.y_dot, 0](1)];
     endif
   endfor
   [place, velocity] = place_by_joints (scene, mechanism, place, velocity);
@@ -51,11 +55,14 @@ function [place, velocity] = place_by_joints (scene, mechanism, place, velocity)
         endif
         [from_O, rate_from_O] = at (mine, joint.stations(sides(1)));
         place(mine,:) = point - from_O;
-        velocity(mine,:) = rate - rate_from_O;
+        if (isnan (velocity(mine,1)))
+          velocity(mine,:) = rate - rate_from_O;
+        endif
       endfor
     endfor
   until (sum (! isnan (place(:,1))) == placed)
   place(isnan (place)) = 0;
+  velocity(isnan (velocity)) = 0;
 endfunction
 
 ## from O, of the undeformed rod
@@ -89,6 +96,16 @@ endfunction
 %! scene.bodies(1).initial.phi = pi/2;
 %! q = placed_bodies (scene, system.mechanism);
 %! assert (q(index_of (system.mechanism, 2)(end-1:end)), [0; 0.5], 1e-15);
+%!test # what flies free, or hangs on a bushing, keeps the velocity that is stated, wherever its place comes from
+%! rod = struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1);
+%! scene.bodies = {struct("rod", rod, "model", struct ("modes", [0 0]), "initial", struct ("y_dot", 0.1))};
+%! [scene.gravity, scene.duration] = deal (0, 0.1);
+%! scene.joints = {struct("kind", "moment", "bodies", 1, "stations", 0)};
+%! assert (driver (scene, "output", "").history.bodies.y(end), 0.01, 1e-9);
+%! scene.joints = {struct("kind", "bushing", "bodies", 1, "stations", 0.5, "point", [2 0], "stiffness", 4)};
+%! scene = check_mechanism (scene);
+%! [q, v] = placed_bodies (scene, build_mechanism (scene, mechanism_rungs (scene, 0)));
+%! assert (q, [0; 1.5; 0], 1e-15); assert (v, [0; 0; 0.1]);
 %!error <body 1: initial.V2 has 2 amplitudes for 1 modes>
 %! [system, ~, scene] = sample_mechanism ([0 1]); scene.bodies(1).initial.V2 = [1 2];
 %! placed_bodies (scene, system.mechanism);
