@@ -35,7 +35,8 @@ endfunction
 
 ## a spring's force is along the line through its points
 function refuse_coincident (scene, mechanism, markers)
-  for j = find (strcmp ({scene.joints.kind}, "spring"))
+  is_spring = strcmp ({scene.joints.kind}, "spring")(:).';  # Octave 11 goes once through a column of none
+  for j = find (is_spring)
     pair = mechanism.marker_of(j,:);
     apart = hypot (diff (markers.x(pair)), diff (markers.y(pair)));
     if (apart <= 1e-9*scene.bodies(scene.joints(j).bodies(1)).rod.length)
