@@ -46,6 +46,7 @@ endfunction
 %!   assert (table(:,3) < table(:,4));
 %!   assert (table(2,3) < 1.2*4*table(1,3));
 %!   assert (csvread (fullfile (folder, "conditioning.csv"), 1, 0), table, 1e-9);
+%!   assert (isempty (strfind (evalc ("conditioning (folder, 180, 2)"), "ans =")));  # nothing is echoed
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");
 %! end_unwind_protect

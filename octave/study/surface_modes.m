@@ -53,6 +53,7 @@ endfunction
 %!   evalc ("table = surface_modes ({'saddle'}, [3 4 6], folder);");
 %!   assert (table(2) < table(1));
 %!   assert (stat (fullfile (folder, "surface_modes.png")).size > 10000);
+%!   assert (isempty (strfind (evalc ("surface_modes ({'saddle'}, [3 4], folder)"), "ans =")));  # nothing is echoed
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");
 %! end_unwind_protect
