@@ -26,7 +26,7 @@ function choice = choose (ladder, tolerance)
   do
     references{end+1} = ladder.richer (guess);
     [reference, trials] = run_once (ladder, references{end}, trials);
-    [trial, guess, trials] = smallest_near (ladder, reference, guess, limit, trials);
+    [trial, guess, trials] = smallest_near (ladder, reference, limit, trials);
     at_the_end = any (cellfun (@(rung) isequal (rung, ladder.richer (guess)), references));
   until (! isempty (trial) || at_the_end)
 
@@ -46,75 +46,6 @@ function choice = choose (ladder, tolerance)
   choice = struct ("trial", trial, "reference", reference, "rung", trial.rung, ...
                    "error_m", distance (trial, reference), "reason", reason, "warnings", {warnings});
   choice.tried = cellfun (@(trial) entry (ladder, trial, reference), trials);
-endfunction
-
-function [trial, trials] = run_once (ladder, rung, trials)
-  known = find (cellfun (@(trial) isequal (trial.rung, rung), trials), 1);
-  if (isempty (known))
-    trials{end+1} = try_rung (ladder, rung);
-    known = numel (trials);
-  endif
-  trial = trials{known};
-endfunction
-
-## what is needed of the reference or, where that does not hold, the guess below it, and from there down; empty where
-## none holds that is clearly poorer: then needed is the next guess
-function [trial, needed, trials] = smallest_near (ladder, reference, guess, limit, trials)
-  trial = [];
-  needed = reference.rung;
-  if (! isempty (reference.error))
-    return;
-  endif
-  metres = limit;
-  do
-    needed = needed_of (ladder, reference, metres);
-    enough = ladder.poorer (needed, reference.rung);
-    if (enough)
-      [near, trials] = run_once (ladder, needed, trials);
-      held = distance (near, reference) <= limit;
-    endif
-    metres /= 2;
-  until (! enough || held || metres < limit/100)
-  if (enough && ! held)
-    needed = reference.rung;
-    if (ladder.poorer (guess, reference.rung))
-      [near, trials] = run_once (ladder, guess, trials);
-      held = distance (near, reference) <= limit;
-    endif
-  endif
-  if (enough && held)
-    [trial, trials] = go_down (ladder, near, reference, limit, trials);
-  endif
-endfunction
-
-## the smallest rung that leaves at most so many metres out of the motion of the reference in each part
-function rung = needed_of (ladder, reference, metres)
-  rung = reference.rung;
-  for part = ladder.parts
-    do
-      before = rung;
-      smaller = ladder.smaller (rung, part{1});
-      if (ladder.left_out (reference, smaller, part{1}) <= metres)
-        rung = smaller;
-      endif
-    until (isequal (rung, before))
-  endfor
-endfunction
-
-function [trial, trials] = go_down (ladder, trial, reference, limit, trials)
-  for part = ladder.parts
-    do
-      before = trial.rung;
-      rung = ladder.smaller (before, part{1});
-      hopeless = ladder.left_out (reference, rung, part{1}) > 2*limit;
-      if (! hopeless && ! isequal (rung, before))
-        [smaller, trials] = run_once (ladder, rung, trials);
-        if (distance (smaller, reference) <= limit)
-          trial = smaller;
-        endif
-      endif
-    until (isequal (trial.rung, before))
-  endfor
 endfunction
 
 ## the last reference that could be run, and the best of the others that is clearly poorer, or else any

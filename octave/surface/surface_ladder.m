@@ -1,15 +1,15 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{ladder} =} surface_ladder (@var{scene})
 ## The ladder of models (see @code{choose}) of the rod of a checked scene on its surface: a rung is [N N], polynomials
-## of each of the chart's coordinates, from 4 to 32.  Fewer than six to begin with would lock: they cannot bend the rod
-## without stretching it, which is as wrong as it is slow.
+## of each of the chart's coordinates, from 4 to 32.  The first reference has 13: few polynomials lock, they cannot bend
+## the rod without stretching it, which is as wrong as it is slow.
 ## @end deftypefn
 
 function ladder = surface_ladder (scene)
   scene.solver.name = "auto";
   ladder.share = 0.95;
   ladder.parts = {"polynomials"};
-  ladder.first = @() deal ([6 6], "");
+  ladder.first = @() deal ([8 8], "");
   ladder.richer = @(rung) min (ceil (1.5*rung) + 1, 32);
   ladder.smaller = @(rung, part) max (rung - 1, 4);
   ladder.left_out = @(reference, rung, part) left_out_of (reference, rung);
