@@ -52,7 +52,7 @@ endfunction
 ## hinged to each other, or welded, and hinged to the ground, clamped, or driven
 function scene = two_rods ()
   [rod, scales] = random_rod ();
-  [scene, load] = common (scales);
+  [scene, load] = common (scales, 3);
   scene.bodies = {body_of(rod, load.angle), body_of(rod, load.angle)};
   scene.bodies{2}.tip_mass = load.tip_mass;
   scene.joints = {struct("kind", pick ({"revolute", "weld"}), "bodies", 1, "stations", 0, "direction", load.angle)
@@ -68,7 +68,7 @@ endfunction
 ## a crank, a rod whose end slides on a line, and a pendulum that hangs from it; or a chain
 function scene = three_rods ()
   [rod, scales] = random_rod ();
-  [scene, load] = common (scales);
+  [scene, load] = common (scales, 3);
   angle = between (0.3, 1);
   l = rod.length;
   scene.bodies = {body_of(rod, angle), body_of(rod, -angle), body_of(rod, -pi/2)};
@@ -103,11 +103,12 @@ function [rod, scales] = random_rod ()
                    "mass", rhoA*l);
 endfunction
 
-function [scene, load] = common (scales)
+## mechanisms, which take longer, have a share of the duration, and a larger tolerance
+function [scene, load] = common (scales, share = 1)
   scene.gravity = pick ([0, 1])*min (9.81, between (0.01, 0.3)*scales.EI/scales.mass);
-  scene.duration = scales.period*between (1, 4);
+  scene.duration = scales.period*between (1, 4)/share;
   scene.frames_per_second = 40/scene.duration;
-  scene.solver.tolerance = scales.length*between (3e-6, 5e-5);
+  scene.solver.tolerance = share*scales.length*between (3e-6, 5e-5);
   load.angle = pi*(2*rand () - 1);
   load.tip_mass = pick ([0 1])*scales.mass*between (0.05, 0.5);
   size = [pick([-1 1])*min(between (0.01, 0.5)*scales.EI, scales.EA); pick([-1 1])*between(0.003, 0.1)*scales.EI];
