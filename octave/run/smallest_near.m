@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{trial}, @var{needed}, @var{trials}] =} smallest_near (@var{ladder}, @var{reference}, @
 ##   @var{limit}, @var{trials})
-## The trial of the smallest rung of a @var{ladder} (see @code{choose}) that is clearly poorer than the @var{reference},
-## a trial, and within the @var{limit} (m) of it: what is needed of the reference's motion, or else one of the
-## @var{trials} before, and from there down.  Empty where none is: then @var{needed} is the rung to go on from.
+## The trial of the smallest rung of a @var{ladder} (see @code{choose}) that is clearly poorer than the
+## @var{reference}, a trial, and within the @var{limit} (m) of it: what is needed of its motion, or else one
+## of the @var{trials} before, and from there down.  Empty where none is: then @var{needed} is the rung to go on from.
 ## @end deftypefn
 
 function [trial, needed, trials] = smallest_near (ladder, reference, limit, trials)

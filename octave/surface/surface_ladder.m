@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{ladder} =} surface_ladder (@var{scene})
 ## The ladder of models (see @code{choose}) of the rod of a checked scene on its surface: a rung is [N N], polynomials
-## of each of the chart's coordinates, from 4 to 32.  The first reference has 13: few polynomials lock, they cannot bend
-## the rod without stretching it, which is as wrong as it is slow.
+## of each of the chart's coordinates, from 4 to 32.  The first reference has 13: few polynomials lock, they cannot
+## bend the rod without stretching it, which is as wrong as it is slow.
 ## @end deftypefn
 
 function ladder = surface_ladder (scene)
