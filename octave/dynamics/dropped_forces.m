@@ -1,11 +1,12 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{force_q}, @var{force_phi}, @var{w4}] =} dropped_forces (@var{points}, @var{motion}, @var{loads})
+## @deftypefn {} {[@var{force_q}, @var{force_phi}, @var{w4}] =} dropped_forces (@var{points}, @var{motion}, @
+##   @var{loads})
 ## Generalized forces of what a rod's model drops (see maxima/rod/dropped.mac), on its coordinates q (n-by-m) and
 ## its rotation (1-by-m) at m times, and by how much its @var{points} (see @code{dropped_points}) come nearer to O than
 ## the model has them (p-by-m, m).
 ##
-## @var{motion} has q, q_dot, q_ddot (n-by-m), phi, phi_dot, phi_ddot, x_ddot, y_ddot (1-by-m: of the frame's origin) and
-## followers (N1-by-m: amplitudes of longitudinal modes without inertia, or empty); @var{loads} has gravity, moment (at
+## @var{motion} has q, q_dot, q_ddot (n-by-m), phi, phi_dot, phi_ddot, x_ddot, y_ddot (1-by-m: of the frame's origin)
+## and followers (N1-by-m: amplitudes of longitudinal modes without inertia, or empty); @var{loads} has gravity, moment (at
 ## O), force_x and force_y (1-by-m).
 ## @end deftypefn
 

@@ -7,7 +7,8 @@
 ## stiffness times length of the part of the rod that a point stands for), force_share (p-by-1: 1 where
 ## @var{rod}.force_station is), along and across (cell arrays of p-by-n: v1 = along@{1@}*q, its first and second
 ## derivatives, and those of v2), of_followers (cell array of p-by-N1, likewise), stretch_at_O, slope_at_O (1-by-n) and
-## integral (p-by-p: of values at the points from O to each), and axis (as @code{integrals_to} takes it).  @var{rod} has tip_mass (kg) and force_station (m).
+## integral (p-by-p: of values at the points from O to each), and axis (as @code{integrals_to} takes it).  @var{rod}
+## has tip_mass (kg) and force_station (m).
 ## @end deftypefn
 
 function points = dropped_points (model, rod)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{V_ddot}, @var{phi_ddot}, @var{torque}] =} hub_accelerations (@var{inverse_mass}, @
 ##   @var{mass_V_phi}, @var{mass_phi_phi}, @var{gradient}, @var{force_V}, @var{force_phi}, @var{acceleration})
-## Accelerations (n-by-m and 1-by-m) of a rod in a hub at m times, and the hub's torque (1-by-m, N m): the multiplier of
-## the constraint @var{gradient}.' V_ddot + phi_ddot = @var{acceleration} (see @code{rod_in_hub}).
+## Accelerations (n-by-m and 1-by-m) of a rod in a hub at m times, and the hub's torque (1-by-m, N m): the multiplier
+## of the constraint @var{gradient}.' V_ddot + phi_ddot = @var{acceleration} (see @code{rod_in_hub}).
 ##
 ## With phi_ddot and the torque put in, the mass matrix of V is that of the modes, whose inverse is constant, and
 ## [m g]*[0 -1; -1 mass_phi_phi]*[m g].' with m = @var{mass_V_phi} and g the gradient: Woodbury's formula inverts it.

@@ -2,9 +2,8 @@
 ## @deftypefn {} {@var{system} =} with_dropped (@var{scene}, @var{model})
 ## The system of @code{rod_system} with the forces of what the @var{model} of a straight rod drops (see
 ## @code{dropped_forces}), taken along its own motion: how its motion differs is, to the first order, the model's error
-## against the geometrically exact rod.  Those forces
-## need accelerations, which feel them: first taken without, then with.  In a hub the tangent at O has the angle that its slope really has.  Work and
-## dissipated energy are left at 0.
+## against the geometrically exact rod.  Those forces need accelerations, which feel them: first taken without, then
+## with.  In a hub the tangent at O has the angle that its slope really has.  Work and dissipated energy are left at 0.
 ## @end deftypefn
 
 function system = with_dropped (scene, model)
@@ -105,7 +104,8 @@ endfunction
 %! system = with_dropped (scene, build_model (scene, rung_of_scene (scene)));
 %! assert (system.rate ([0 1], system.initial_state(:,[1 1]), [0 1]), zeros (8, 2), 1e-12);
 %!test # in a hub the tangent at O has its angle: asin of the slope, and the stretch
-%! scene = setfield (setfield (spin_up (), "duration", 2), "model", struct ("modes", [0 3], "stiffening", "foreshortening"));
+%! scene = setfield (spin_up (), "duration", 2);
+%! scene.model = struct ("modes", [0 3], "stiffening", "foreshortening");
 %! scene = check_scene (scene);
 %! model = build_model (scene, rung_of_scene (scene));
 %! system = with_dropped (scene, model);

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{metres} =} dropped_of_bodies (@var{scene}, @var{mechanism}, @var{history})
-## How far what the rods' models drop beyond foreshortening may move a mechanism's points (m), without what it does over
-## time: the straight bodies' sum of how much nearer their points come to O, and how much their modes give to
-## the forces of what is dropped (see @code{dropped_forces}; with weight and rotation, without accelerations).
+## How far what the rods' models drop beyond foreshortening may move a mechanism's points (m), without what it does
+## over time: the straight bodies' sum of how much nearer their points come to O, and how much their modes give to the
+## forces of what is dropped (see @code{dropped_forces}; with weight and rotation, without accelerations).
 ## @end deftypefn
 
 function metres = dropped_of_bodies (scene, mechanism, history)

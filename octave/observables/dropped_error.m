@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{dropped} =} dropped_error (@var{scene}, @var{model}, @var{history})
 ## How far a straight rod's centreline is from that of the geometrically exact rod because of what the whole family of
-## models drops beyond foreshortening: a struct of metres (at most), x and y (by how much, 21 stations by frames, m) and
-## bound (m).  It is the difference of the run of @var{history} (see @code{measure}) from one with the forces of what is
-## dropped (see @code{with_dropped}).
+## models drops beyond foreshortening: a struct of metres (at most), x and y (by how much, 21 stations by frames, m)
+## and bound (m).  It is the difference of the run of @var{history} (see @code{measure}) from one with the forces of
+## what is dropped (see @code{with_dropped}).
 ##
 ## Where slope^2 times the deflection times a quarter of the phase through which modes and rotation go is below a fifth
 ## of the tolerance, that bound is enough: x and y are 0 then, and otherwise the bound is.  A rod that cannot be
