@@ -6,7 +6,7 @@
 
 function scene = loads_of_every_kind (kind, load)
   rod = struct ("length", 1, "EA", 1e6, "EI", 1e5, "rhoA", 3);
-  scene = struct ("gravity", 0, "duration", 20, "frames_per_second", 10);
+  scene = struct ("gravity", 0, "duration", 20, "frames_per_second", 1);
   switch (kind)
     case "hinged"
       scene.rod = rod;
@@ -17,7 +17,7 @@ function scene = loads_of_every_kind (kind, load)
       scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)
                       struct("kind", "moment", "bodies", 1, "stations", 0, "value", load)};
     case "surface"
-      scene.rod = rod;
+      scene.rod = setfield (setfield (rod, "EA", 100), "EI", 10);
       scene.surface = struct ("name", "plane", "inclination", 0);
       scene.ends = {"hinge", "free"};
       scene.model.modes = [4 4];
@@ -47,7 +47,7 @@ endfunction
 %!   endfor
 %! endfor
 %!test # on a surface, where the rod stretches and bends a little
-%! assert (angle_of ("surface", @(t) 10*(t > 12.3 & t < 12.35)), 10*0.05/1*(20 - 12.325), 1e-3);
+%! assert (angle_of ("surface", @(t) 10*(t > 12.3 & t < 12.35)), 10*0.05/1*(20 - 12.325), 0.03);
 %!function message = refused (kind, load)
 %!  message = "";
 %!  folder = tempname ();

@@ -4,8 +4,8 @@
 ## @end deftypefn
 
 function scenes = rods_at_rest ()
-  rod = struct ("length", 1, "EA", 100, "EI", 1, "rhoA", 3);
-  rest = struct ("gravity", 0, "duration", 0.2, "frames_per_second", 20);
+  rod = struct ("length", 1, "EA", 10, "EI", 0.1, "rhoA", 3);
+  rest = struct ("gravity", 0, "duration", 0.1, "frames_per_second", 20);
   scenes.free = setfield (rest, "rod", rod);
   scenes.hanging = setfield (setfield (scenes.free, "gravity", 9.81), "initial", "phi", -pi/2);
   scenes.hub = setfield (scenes.free, "rotation", @(t) [0.3 0 0]);
@@ -33,14 +33,13 @@ endfunction
 %!    catch err
 %!      error ("%s, %s: %s", kind, name{1}, err.message);
 %!    end_try_catch
-%!    assert (numel (result.history.t), 5);
+%!    assert (numel (result.history.t), 3);
 %!  endfor
 %!endfunction
 %!test # every method of one rod, rigid and bending
+%! check ("free", rods_at_rest ().free, {integrator_table().name}, [0 0]);
 %! for kind = {"free", "hanging", "hub", "curved"}
-%!   for modes = {[0 0], [0 2]}
-%!     check (kind{1}, rods_at_rest ().(kind{1}), [{integrator_table().name}, "auto"], modes{1});
-%!   endfor
+%!   check (kind{1}, rods_at_rest ().(kind{1}), [{integrator_table().name}, "auto"], [0 2]);
 %! endfor
 %!test # of mechanisms
 %! for kind = {"mechanism", "mechanism_hanging"}
@@ -48,7 +47,7 @@ endfunction
 %! endfor
 %!test # of rods on surfaces
 %! for kind = {"plane", "weightless_plane"}
-%!   for ends = {{"free", "free"}, {"hinge", "free"}, {"clamped", "free"}}
+%!   for ends = {{"free", "free"}, {"clamped", "free"}}
 %!     check (kind{1}, setfield (rods_at_rest ().(kind{1}), "ends", ends{1}), {"auto", "ode45", "lsode_adams", "lsode_bdf"}, ...
 %!            [4 4]);
 %!   endfor
