@@ -5,11 +5,11 @@
 
 function [base, choices] = surface_choices ()
   base.surface = struct ("name", "plane", "inclination", 1);
-  base.rod = struct ("length", 0.4, "EA", 1e3, "EI", 0.05, "rhoA", 0.2);
+  base.rod = struct ("length", 0.4, "EA", 100, "EI", 0.02, "rhoA", 0.2);
   base.model.modes = [4 4];
   base.duration = 0.02;
   base.frames_per_second = 100;
-  base.solver.tolerance = 1e-4;
+  base.solver.tolerance = 1e-3;
   choices = {
     "surface", "plane", {}
     "surface", "cylinder", {"surface", struct("name", "cylinder", "radius", 1)}
@@ -38,7 +38,7 @@ function [base, choices] = surface_choices ()
     "gravity", "earth's", {}
     "gravity", "none", {"gravity", 0}
     "stiffness", "one", {}
-    "stiffness", "three", {"rod.EI_normal", 0.02, "rod.GJ", 0.01}
+    "stiffness", "three", {"rod.EI_normal", 0.01, "rod.GJ", 0.01}
     "rotary inertia", "none", {}
     "rotary inertia", "some", {"rod.rhoI", 1e-6}
     "place", "along", {}
