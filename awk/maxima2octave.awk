@@ -6,8 +6,8 @@
 # standard error says `maxima2octave: file:line: message'.
 #
 # gawk looks for included files in AWKPATH but not beside the file that includes them. This file therefore starts
-# gawk once more, with the same arguments, on translator.awk beside it, and in the C locale: a record is bytes. gawk must
-# be itself, with POSIXLY_CORRECT not set.
+# gawk once more, with the same arguments, on translator.awk beside it, and in the C locale: a record is bytes. gawk
+# must be itself, with POSIXLY_CORRECT not set.
 
 function shell_quoted(text)
 {
