@@ -3,7 +3,7 @@
 ## A scene drawn at random with forces along and across rods and masses at their tips: by turns a hinged rod, one in a
 ## hub that turns, a mechanism of two rods and one of three.
 ##
-## Forces are scaled to the rods, so that these bend by up to a hundredth of their length and stretch by at most 0.2
+## Forces are scaled to the rods, so that these bend by up to half a hundredth of their length and stretch by at most 0.2
 ## percent, within what foreshortening holds for: where they bend more, no model of the ladder keeps such tolerances,
 ## and runs say so (see @code{error_warning}).  Half of the rods are softer along than a rod of one material is.
 ## @end deftypefn
@@ -34,7 +34,7 @@ endfunction
 ## from 0 to rest at some angle, or on at a steady rate, by a polynomial
 function scene = in_hub ()
   scene = rmfield (hinged (), "initial");
-  angle = between (0.0005, 0.005);  # within a few periods of bending: the rod lags by as much as forces bend it
+  angle = between (0.0003, 0.003);  # within a few periods of bending: the rod lags by as much as forces bend it
   rise = scene.duration*between (0.2, 0.6);
   stops = rand () < 0.5;
   scene.rotation = @(t) turning (t/rise, angle, rise, stops);
@@ -60,7 +60,7 @@ function scene = two_rods ()
                   struct("kind", pick ({"revolute", "weld"}), "bodies", [1 2], "stations", [rod.length 0])
                   struct("kind", "force", "bodies", 2, "stations", rod.length, "value", load.force)};
   if (strcmp (scene.joints{1}.kind, "revolute") && rand () < 0.5)
-    drive = @(t) turning (t/scene.duration, 0.3, scene.duration, true) + [load.angle, 0, 0];
+    drive = @(t) turning (t/scene.duration, 0.003, scene.duration, true) + [load.angle, 0, 0];
     scene.joints{end+1} = struct ("kind", "angle", "bodies", 1, "stations", 0, "value", drive);
   endif
   scene.breaks = load.breaks;
@@ -112,7 +112,7 @@ function [scene, load] = common (scales, share = 1)
   scene.solver.tolerance = share*scales.length*between (3e-6, 5e-5);
   load.angle = pi*(2*rand () - 1);
   load.tip_mass = pick ([0 1])*scales.mass*between (0.05, 0.5);
-  size = [pick([-1 1])*min(between (0.01, 0.2)*scales.EI, scales.EA); pick([-1 1])*between(0.001, 0.01)*scales.EI];
+  size = [pick([-1 1])*min(between (0.01, 0.2)*scales.EI, scales.EA); pick([-1 1])*between(0.0005, 0.005)*scales.EI];
   size = [cos(load.angle) -sin(load.angle); sin(load.angle) cos(load.angle)]*size;  # along and across the rod
   ending = scales.period*between (0.1, 2);
   course = pick ({@(t) t < ending, @(t) sin(pi*t/ending)*(t < ending), @(t) sin(2*pi*t/ending)});
