@@ -3,8 +3,8 @@
 ## A scene drawn at random with forces along and across rods and masses at their tips: by turns a hinged rod, one in a
 ## hub that turns, a mechanism of two rods and one of three.
 ##
-## Forces are scaled to the rods, so that these bend by up to half a hundredth of their length and stretch by at most 0.2
-## percent, within what foreshortening holds for: where they bend more, no model of the ladder keeps such tolerances,
+## Forces are scaled to the rods, so that these bend by up to half a hundredth of their length and stretch by at most
+## 0.05 percent, within what foreshortening holds for: where they bend more, no model of the ladder keeps such tolerances,
 ## and runs say so (see @code{error_warning}).  Half of the rods are softer along than a rod of one material is.
 ## @end deftypefn
 
@@ -89,7 +89,7 @@ function body = body_of (rod, angle)
                  "initial", struct ("phi", angle));
 endfunction
 
-## and its scales: its period of bending (hinged and free), EI/l^2 (N), what stretches it by 0.2 percent (N), mass (kg)
+## and its scales: its period of bending (hinged and free), EI/l^2 (N), what stretches it by 0.05 percent (N), mass (kg)
 function [rod, scales] = random_rod ()
   l = between (0.3, 3);
   slenderness = between (15, 100);
@@ -100,7 +100,7 @@ function [rod, scales] = random_rod ()
   EA = pick ({E*2*half_height*width, EI/l^2*between(100, 3000)});
   rod = struct ("length", l, "EA", EA, "EI", EI, "rhoA", rhoA, "half_height", half_height, ...
                 "damping", pick ([0 0 1e-5]));
-  scales = struct ("period", 2*pi/15.42*l^2*sqrt (rhoA/EI), "EI", EI/l^2, "EA", 2e-3*EA, "length", l, ...
+  scales = struct ("period", 2*pi/15.42*l^2*sqrt (rhoA/EI), "EI", EI/l^2, "EA", 5e-4*EA, "length", l, ...
                    "mass", rhoA*l);
 endfunction
 
