@@ -9,24 +9,27 @@
 ## @end deftypefn
 
 function I = panel_integrals (z, x, m)
+  turned = z*x;
+  I = by_quadrature (turned, x, m);
+  far = find (abs (turned) > 16);
+  if (! isempty (far))
+    of_row = x(ceil (far/rows (z))).'(:);
+    I(far,:) = of_row.*by_parts (turned(far)(:), of_row, m);
+  endif
+endfunction
+
+## all fractions in one product: a block of points by polynomials each
+function I = by_quadrature (turned, x, m)
   persistent points weights;
   if (isempty (points))
     [points, weights] = gauss_rule (20);
   endif
-  n = rows (z);
-  turned = z*x;
-  far = abs (turned) > 16;
-  T = cos (acos (2*x.'*points - 1)(:)*(0:m-1));  # a row a fraction and point
-  I = zeros (numel (far), m);
-  for k = 1:columns (x)
-    near = ! far(:,k);
-    kernel = (x(k)*weights).*exp (turned(near,k)*(1 - points));
-    I(find (near) + (k - 1)*n,:) = kernel*T(k:columns (x):end,:);
-  endfor
-  if (any (far(:)))
-    of_row = repmat (x, n, 1)(far(:))(:);
-    I(far(:),:) = of_row.*by_parts (turned(far(:))(:), of_row, m);
-  endif
+  [p, k, n] = deal (numel (points), numel (x), rows (turned));
+  block = ones (p, 1)*(1:k);
+  kernel = exp (turned(:,block(:)).*(1 - points)(ones (1, k),:).'(:).');
+  T = (weights.'*x)(:).*cos (acos (2*(points.'*x)(:) - 1)*(0:m-1));
+  T = sparse ((1:p*k).'*ones (1, m), block(:)*m + (1 - m:0), T, p*k, m*k);
+  I = reshape (permute (reshape (kernel*T, n, m, k), [1 3 2]), n*k, m);
 endfunction
 
 ## sum over k of (exp (z) T^(k) (start) - T^(k) (x)) x^k/z^(k+1)

@@ -35,7 +35,7 @@ function [same, other, constant] = moved (modal, h, x, weights)
   every = modal.n + 1;
   constant = real (f(every:every:end,2:end));
   f(every:every:end,:) = [];
-  root = repmat (first, numel (x), 1);
+  root = first(:,ones (1, numel (x)))(:);
   other = imag (f)./imag (root);
   same = real (f) - real (root).*other;
   real_ones = imag (first) == 0;
