@@ -16,3 +16,5 @@ endfunction
 %!test # exact up to degree 2 m - 1
 %! [nodes, weights] = gauss_rule (4);
 %! assert (weights*nodes.'.^(0:7), 1./(1:8), 1e-14);
+%! [nodes, weights] = gauss_rule (5);
+%! assert (weights*nodes.'.^(0:9), 1./(1:10), 1e-14);

@@ -17,3 +17,7 @@ endfunction
 %! job = start_tool (tempdir (), "sleep", "sleep 1");
 %! assert (waitpid (job.pid, WNOHANG ()), 0);
 %! finish_tool (job);
+%!test # in the folder
+%! finish_tool (start_tool (tempdir (), "test", ["test \"$(pwd -P)\" = \"$(cd " shell_string(tempdir ()) " && pwd -P)\""]));
+%!error <gnuplot failed with status .*no folder>
+%! finish_tool (start_tool (fullfile (tempdir (), "no folder"), "gnuplot", "true"));

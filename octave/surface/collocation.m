@@ -7,12 +7,12 @@
 ## @end deftypefn
 
 function c = collocation (s)
-  [c.points, weights] = gauss_points (s);
+  [points, c.weights] = gauss_rule (s);
+  c.points = points.';
   powers = 0:s-1;
   V = c.points.^powers;
   c.A = (c.points.^(powers + 1)./(powers + 1))/V;
   c.AA = c.A*c.A;
-  c.weights = weights.';
   c.second_weights = c.weights*c.A;
   c.onward = ((1 + c.points).^powers)/V;
 endfunction

@@ -7,8 +7,10 @@
 
 function place = place_rod (scene, surface)
   l = scene.rod.length;
-  [x, weights] = gauss_points (quadrature_points (scene.model));
-  xi = l*x.';
+  [x, weights] = gauss_rule (quadrature_points (scene.model));
+  xi = l*x;
+  x = x.';
+  weights = weights.';
   stations = [0, xi, l];
   if (isempty (scene.initial.shape))
     alpha = laid_geodesic (surface, scene.initial.point, scene.initial.angle, stations);

@@ -51,8 +51,8 @@ endfunction
 %! assert (curved_frequencies (180, 100, "hinged", 20)(1), 2.2661, -1e-4);
 %!function omega = by_ritz (degrees, slenderness)   # displacements by polynomials, textbook strains: u' - w, u' + w''
 %!  angle = deg2rad (degrees);
-%!  [s, weights] = gauss_points (40);
-%!  [s, W] = deal (angle*s, diag (angle*weights));
+%!  [s, weights] = gauss_rule (40);
+%!  [s, W] = deal (angle*s.', diag (angle*weights));
 %!  [P, dP, ddP] = legendre_functions (16, s, angle);
 %!  [b, db] = deal (s.*(angle - s), angle - 2*s);  # 0 at the hinges
 %!  [f, df, ddf] = deal (b.*P, db.*P + b.*dP, -2*P + 2*db.*dP + b.*ddP);
