@@ -33,11 +33,13 @@ endfunction
 
 ## from 0 to rest at some angle, or on at a steady rate, by a polynomial
 function scene = in_hub ()
-  scene = rmfield (hinged (), "initial");
+  scene = hinged ();
+  start = scene.initial.phi;
+  scene = rmfield (scene, "initial");
   angle = between (0.0003, 0.003);  # within a few periods of bending: the rod lags by as much as forces bend it
   rise = scene.duration*between (0.2, 0.6);
   stops = rand () < 0.5;
-  scene.rotation = @(t) turning (t/rise, angle, rise, stops);
+  scene.rotation = @(t) [start, 0, 0] + turning (t/rise, angle, rise, stops);
   scene.moment_breaks = sort ([scene.moment_breaks, rise]);
 endfunction
 
