@@ -1,4 +1,4 @@
-## Put the toolchain's folders on the load path: `source octave/toolchain_path.m` from anywhere.
-warning ("off", "Octave:shadowed-function");  # the scene `cylinder' has the name of a function of Octave
-addpath (genpath (fileparts (mfilename ("fullpath"))));
+## Put the toolchain's folders on the load path: `source octave/toolchain_path.m` from anywhere.  Scenes stay off it:
+## their names are their own (see `load_scene').
+addpath (genpath (fileparts (mfilename ("fullpath")), "scenes"));
 addpath (fullfile (fileparts (fileparts (mfilename ("fullpath"))), "generated"));

@@ -5,7 +5,7 @@
 ## @end deftypefn
 
 function seconds = call_times ()
-  scene = check_scene (paper ());
+  scene = check_scene (load_scene ("paper"));
   scene.model.modes = [7 7];
   rod = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
   y = rod.initial_state + 1e-4;

@@ -7,7 +7,7 @@
 function rows = cost_of_size (sizes)
   rows = zeros (0, 3);
   for N = sizes
-    scene = check_scene (setfield (setfield (paper (), "model", "modes", [N N]), "duration", 0.4));
+    scene = check_scene (setfield (setfield (load_scene ("paper"), "model", "modes", [N N]), "duration", 0.4));
     system = rod_system (scene, build_model (scene, rung_of_scene (scene)));
     for run = 1:3
       [~, count] = integrate (system, frame_times (scene), struct ("name", "waveform", "tolerance", 1e-6));

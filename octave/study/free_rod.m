@@ -5,7 +5,7 @@
 ## @end deftypefn
 
 function [system, scene] = free_rod (modes, initial)
-  scene = paper ();
+  scene = load_scene ("paper");
   scene.gravity = 0;
   scene.moment = 0;
   scene.moment_breaks = [];

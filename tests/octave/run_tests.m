@@ -1,7 +1,9 @@
 ## All %!test blocks of the files in the FOLDERS of the environment; every function file has some.
 source octave/toolchain_path.m
 root = pwd ();
-addpath (fullfile (root, "tests", "octave"), fullfile (root, "tests", "physics"), fullfile (root, "tests", "pairs"));
+warning ("off", "Octave:shadowed-function");  # tests call scenes by their names, of which `cylinder' is Octave's, too
+addpath (fullfile (root, "octave", "scenes"));
+cellfun (@(folder) addpath (fullfile (root, "tests", folder)), {"octave", "physics", "pairs", "samples"});
 [status, listing] = system ("find $FOLDERS -name '*.m' | sort");
 failed = 0;
 for file = strsplit (strtrim (listing), "\n")

@@ -41,7 +41,7 @@ endfunction
 
 ## along: u (l/2) and u (l) by the amplitudes
 function [scene, mechanism, along] = crank (has)
-  scene = slider_crank ();
+  scene = load_scene ("slider_crank");
   scene.bodies{2}.rod.rhoI = 7870*0.008^4/12;
   scene.bodies{2}.model.rotary_inertia = has ("rotary inertia");
   scene.bodies{2}.model.stiffening = {"none", "foreshortening"}{1 + has("foreshortening")};

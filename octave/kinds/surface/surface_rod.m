@@ -5,11 +5,12 @@
 ## the loads.
 ##
 ## Fields: n coordinates, initial_state, place (see @code{place_rod}), residual (t, z, z_dot, z_ddot) = mass times
-## acceleration less forces (n-by-m, at m times), power (t, z, z_dot) of the loads, mass_matrix (z), rate, size (z),
+## acceleration less forces (n-by-m, at m times), power (t, z, z_dot) of the loads, mass_matrix (z), rate, energies
+## (z, z_dot; see @code{surface_energies}), tangent_stiffness (t, z, z_dot, z_ddot), refuse_singular (z, when), size (z),
 ## the largest displacement (m) that goes with a small change of z, fields (z, z_dot, z_ddot, stations) = arguments of
 ## the surface's functions at stations of the rod, surface, rod (stiffnesses and mass as these functions take them),
 ## rhoI, points and weights (p-by-1, m, of the quadrature), breaks, state_scale, mass, stiffness (linear about the
-## start), turned, duration.
+## start), energy_floor (J), turned, duration.
 ## @end deftypefn
 
 function system = surface_rod (scene)
@@ -34,13 +35,18 @@ function system = surface_rod (scene)
   system.power = @(t, z, z_dot) sum (z_dot.*load_of (t, z, ends, system, scene), 1);
   system.mass_matrix = @(z) mass_matrix (z, inside, system, r);
   system.rate = @(t, y, interval) rate (t, y, interval, system);
+  system.energies = @(z, z_dot) surface_energies (system, z, z_dot);
+  system.energy_floor = energy_floor (r.rhoA*r.length^3/3, scene.duration);
+  system.tangent_stiffness = @(varargin) tangent_stiffness (system, varargin{:});
+  everywhere = linspace (0, r.length, 501).';
+  system.refuse_singular = @(z, when) refuse_singular (surface, system.fields (z, z, z, everywhere), when);
   start = zeros (system.n, 1);
   velocity = system.place.basis.'*system.place.velocity;
-  refuse_singular (surface, system.fields (start, start, start, linspace (0, r.length, 501).'), "at the start");
+  system.refuse_singular (start, "at the start");
   scale = lengths_per_coordinate (surface, fields_at (inside, start, velocity, start));
   system.size = @(z) max (max (abs (inside.values{1}*z)*scale(1), abs (inside.values{2}*z)*scale(2))(:));
   system.mass = system.mass_matrix (start);
-  system.stiffness = tangent_stiffness (system, 0, start, velocity, start);
+  system.stiffness = system.tangent_stiffness (0, start, velocity, start);
   per_coordinate = 1./max (max (abs (inside.values{1}))*scale(1), max (abs (inside.values{2}))*scale(2)).';
   system.initial_state = [start; velocity; 0];
   system.state_scale = [per_coordinate; per_coordinate/scene.duration; ...

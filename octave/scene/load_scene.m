@@ -50,6 +50,7 @@ function scene = evaluate (file, numbers)
   aside = tempname ();
   [folder, name] = fileparts (file);
   warning ("off", "Octave:function-name-clash", "local");
+  warning ("off", "Octave:shadowed-function", "local");
   unwind_protect
     if (! any (folder == pathsep ()))
       addpath (folder);

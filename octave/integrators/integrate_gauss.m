@@ -7,7 +7,7 @@
 ##
 ## Between two times, and between breaks of the loads, as many equal steps are taken, doubled again and again, as bring
 ## the last doubling's change of place within @var{tolerance} (m), and the energy balance within @var{balance} (default
-## 3e-9) of the largest energy, or of its floor (see @code{energy_floor}): a rod at rest has none to measure by.
+## 3e-9) of the largest energy, or of its floor system.energy_floor: a rod at rest has none to measure by.
 ## Oscillations of stretching too fast for that keep their energy, not their phase.
 ## @var{count}: method, steps, calls of the residual (a column each), seconds, and still (see @code{stays}).
 ## @end deftypefn
@@ -21,7 +21,7 @@ function [states, count] = integrate_gauss (system, times, tolerance, balance = 
   method = collocation (4);
   watch_rate (times(end));
   [steps, m, n] = deal (0, 2, system.n);
-  largest = energy_floor (system.rod{1}*sum (system.weights)^3/3, system.duration);
+  largest = system.energy_floor;
   for k = 2:numel (stops)
     interval = stops([k-1, k]);
     pieces = max (1, floor (m/2));
@@ -46,9 +46,7 @@ function [states, count] = integrate_gauss (system, times, tolerance, balance = 
     until (error <= tolerance)
     m = m/(1 + (error < tolerance/16 && m > 2));
     y = fine;
-    everywhere = linspace (0, sum (system.weights), 501).';
-    refuse_singular (system.surface, system.fields (y(1:n), y(1:n), y(1:n), everywhere), ...
-                     sprintf ("at t = %.4g s", interval(2)));
+    system.refuse_singular (y(1:n), sprintf ("at t = %.4g s", interval(2)));
     here = times == interval(2);  # none at a break between frames
     states(:,here) = repmat (y, 1, sum (here));
   endfor
@@ -60,7 +58,7 @@ endfunction
 function [drift, largest] = energy_drift (system, before, after, largest)
   n = system.n;
   both = [before, after, system.initial_state];
-  E = [surface_energies(system, both(1:n,:), both(n+1:2*n,:))(1:3,:); -both(2*n+1,:)];
+  E = [system.energies(both(1:n,:), both(n+1:2*n,:))(1:3,:); -both(2*n+1,:)];
   largest = max ([largest; abs(E(1:2,2)); abs(E(3:4,2) - E(3:4,3))]);
   rounding = 100*eps*max (sum (abs (E), 1));
   drift = max (abs (sum (E(:,2)) - sum (E(:,1))) - rounding, 0)/largest;
@@ -103,7 +101,7 @@ function [a, stages, converged] = solve_stages (system, method, t, h, z, z_dot, 
     endif
     if (isempty (factors))
       M = system.mass_matrix (stages{1}(:,2));
-      K = watch_rate (t(2), tangent_stiffness (system, t(2), stages{1}(:,2), stages{2}(:,2), a(:,2)));
+      K = watch_rate (t(2), system.tangent_stiffness (t(2), stages{1}(:,2), stages{2}(:,2), a(:,2)));
       [factors, upper, order] = lu (kron (eye (4), M) + h^2*kron (method.AA, K), "vector");
     endif
     change = -reshape (upper \ (factors \ R(:)(order)), n, 4);

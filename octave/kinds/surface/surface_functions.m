@@ -9,7 +9,7 @@
 ## @end deftypefn
 
 function surface = surface_functions (given)
-  root = fileparts (fileparts (fileparts (mfilename ("fullpath"))));
+  root = fileparts (fileparts (which ("driver")));
   own = fullfile (root, "output", "surfaces");
   if (isfolder (own) && isempty (strfind (path (), own)))
     addpath (own);
