@@ -8,8 +8,8 @@
 ## to write into (default output/NAME; "" writes nothing), and "pictures" (true or false) says whether there are to be
 ## more than history.csv and summary.json.
 ##
-## @var{result}, where it is asked for, has the fields scene, model, history and summary; of a scene of several bodies
-## it is what @code{simulate_mechanism} returns.
+## @var{result}, where it is asked for, is the run (see @code{kind_of}) with its scene and
+## summary.
 ##
 ## @example
 ## result = driver ("paper", "modes", [0 4], "solver", "ode45", "tolerance", 1e-6);
@@ -28,39 +28,29 @@ function result = run_scene (scene, options)
   command = repeat_command (scene, options);
   [scene, name] = load_scene (scene);
   [scene, output] = take_options (scene, fullfile ("output", name), options);
-  if (isfield (scene, "surface"))
-    result = drive_surface (scene, name, output, command);
-    return;
-  elseif (isfield (scene, "bodies"))
-    result = simulate_mechanism (scene, name, output, command);
-    return;
-  endif
-  scene = check_scene (scene);
+  kind = kind_of (scene);
+  scene = kind.check (scene);
   announce_breaks (scene.probed);
   if (isempty (scene.title))
     scene.title = name;
   endif
-  scene.solver.tolerance = tolerance_in_metres (scene);
   prepare_output (output, scene);
 
   try
-    [model, choice] = model_of_scene (scene);
+    [model, choice] = chosen_model (kind, scene);
     announce (choice);
-    cellfun (@(text) say ("warning: %s", text), spin_warning (scene, model));
-    [history, count] = run_model (scene, model, choice);
+    cellfun (@(text) say ("warning: %s", text), kind.foreseen (scene, model));
+    run = balanced_run (kind, scene, model, choice);
   catch err
     record_failure (output, name, scene, err);
     rethrow (err);
   end_try_catch
-  summary = summarise (name, scene, model, choice, count, history);
+  summary = summarise (kind, name, scene, run, choice);
   summary.command = command;
-  summary = write_run (output, scene, summary, start, @(file) write_history (history, file), ...
-                       @() with_spectrum (rod_drawing (scene, model, history), scene, model));
-  result = struct ("scene", scene, "model", model, "history", history, "summary", summary);
-endfunction
-
-function drawing = with_spectrum (drawing, scene, model)
-  drawing.spectrum = tip_spectrum (scene, model);
+  summary = write_run (output, kind, scene, run, summary, start);
+  result = run;
+  result.scene = scene;
+  result.summary = summary;
 endfunction
 
 %!test # a short run without files

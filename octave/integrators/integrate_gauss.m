@@ -1,29 +1,24 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{states}, @var{count}] =} integrate_gauss (@var{system}, @var{times}, @var{tolerance}, @
-##   @var{balance})
-## The states (n-by-m) of a rod on a surface (see @code{surface_rod}) at the @var{times} (1-by-m, s) by collocation at
-## four points of Gauss: order 8, symplectic in its canonical coordinates, stable for the stiffest bending and
+## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_gauss (@var{system}, @var{times}, @var{y}, @var{solver})
+## Collocation at four points of Gauss through all @var{times} (1-by-m, s) from the state @var{y} of a rod on a surface
+## (see @code{surface_rod}): order 8, symplectic in its canonical coordinates, stable for the stiffest bending and
 ## stretching.
 ##
-## Between two times, and between breaks of the loads, as many equal steps are taken, doubled again and again, as bring
-## the last doubling's change of place within @var{tolerance} (m), and the energy balance within @var{balance} (default
-## 3e-9) of the largest energy, or of its floor system.energy_floor: a rod at rest has none to measure by.
-## Oscillations of stretching too fast for that keep their energy, not their phase.
-## @var{count}: method, steps, calls of the residual (a column each), seconds, and still (see @code{stays}).
+## Between two times as many equal steps are taken, doubled again and again, as bring the last doubling's change of place
+## within the interval's share of @var{solver}.tolerance (m), and the energy balance within @var{solver}.balance (3e-9
+## where there is no such field) of the largest energy, or of its floor system.energy_floor: a rod at rest has none to
+## measure by.  Oscillations of stretching too fast for that keep their energy, not their phase.
 ## @end deftypefn
 
-function [states, count] = integrate_gauss (system, times, tolerance, balance = 3e-9)
-  start = tic ();
-  [times, ends] = meet_breaks (times, system.breaks);
-  stops = unique ([times, ends]);
-  y = system.initial_state;
+function [states, steps] = integrate_gauss (system, times, y, solver)
   states = repmat (y, 1, numel (times));
   method = collocation (4);
-  watch_rate (times(end));
+  balance = balance_of (solver);
   [steps, m, n] = deal (0, 2, system.n);
   largest = system.energy_floor;
-  for k = 2:numel (stops)
-    interval = stops([k-1, k]);
+  for k = 2:numel (times)
+    interval = times([k-1, k]);
+    tolerance = solver.tolerance*diff (interval)/system.duration;
     pieces = max (1, floor (m/2));
     coarse = march (system, method, interval, y, pieces);
     do
@@ -31,11 +26,10 @@ function [states, count] = integrate_gauss (system, times, tolerance, balance = 
       if (m > 2^13)
         stop_integration ("gauss", system, interval(1), times(end), diff (interval)/m, ...
                           "its steps shrank to nothing", ...
-                          sprintf ("a larger tolerance than %.2g m a frame", tolerance));
+                          sprintf ("a larger tolerance than %.2g m", solver.tolerance));
       endif
       fine = march (system, method, interval, y, m);
       steps += 3*pieces;
-      watch_rate ("steps", 3*pieces);
       change = fine - coarse;
       [drift, largest] = energy_drift (system, y, fine, largest);
       error = max (system.size (change(1:n)), tolerance*drift/balance);
@@ -47,11 +41,15 @@ function [states, count] = integrate_gauss (system, times, tolerance, balance = 
     m = m/(1 + (error < tolerance/16 && m > 2));
     y = fine;
     system.refuse_singular (y(1:n), sprintf ("at t = %.4g s", interval(2)));
-    here = times == interval(2);  # none at a break between frames
-    states(:,here) = repmat (y, 1, sum (here));
+    states(:,k) = y;
   endfor
-  count = struct ("method", "gauss", "steps", steps, "calls", watch_rate (), "seconds", toc (start));
-  count.still = stays (states(1:n,:), system.state_scale(1:n), tolerance*numel (times));
+endfunction
+
+function balance = balance_of (solver)
+  balance = 3e-9;
+  if (isfield (solver, "balance"))
+    balance = solver.balance;
+  endif
 endfunction
 
 ## how far the energy balance moves between two states, beyond rounding, as a part of the largest change of an energy
@@ -95,13 +93,13 @@ function [a, stages, converged] = solve_stages (system, method, t, h, z, z_dot, 
   factors = [];
   for sweep = 1:25
     stages = {z + h*z_dot*method.points.' + h^2*a*method.AA.', z_dot + h*a*method.A.'};
-    R = watch_rate (t, system.residual (t, stages{:}, a));
+    R = system.residual (t, stages{:}, a);
     if (! all (isfinite (R(:))))
       return;
     endif
     if (isempty (factors))
       M = system.mass_matrix (stages{1}(:,2));
-      K = watch_rate (t(2), system.tangent_stiffness (t(2), stages{1}(:,2), stages{2}(:,2), a(:,2)));
+      K = system.tangent_stiffness (t(2), stages{1}(:,2), stages{2}(:,2), a(:,2));
       [factors, upper, order] = lu (kron (eye (4), M) + h^2*kron (method.AA, K), "vector");
     endif
     change = -reshape (upper \ (factors \ R(:)(order)), n, 4);
@@ -124,8 +122,9 @@ endfunction
 %!                 "ends", {{"hinge", "free"}}, "model", struct ("modes", [4 4]), "initial", struct ("angle", 1));
 %! system = surface_rod (check_surface_scene (scene));
 %! times = [0 0.1 0.2 0.3];
-%! [states, count] = integrate_gauss (system, times, 1e-9);
-%! expected = integrate (system, times, struct ("name", "ode45", "tolerance", 1e-8));
+%! by = @(name, tolerance) integrate (system, times, struct ("name", name, "tolerance", tolerance));
+%! states = by ("gauss", 3e-9);
+%! expected = by ("ode45", 1e-8);
 %! assert (states(1:system.n,:), expected(1:system.n,:), 1e-6);
 %! n = system.n;
 %! E = sum (surface_energies (system, states(1:n,:), states(n+1:2*n,:))(1:3,:));
@@ -137,13 +136,13 @@ endfunction
 %!                   "gravity", 9.81*(inclination == 0), "initial", struct ("angle", -pi/2), ...
 %!                   "model", struct ("modes", [4 4]));
 %!   system = surface_rod (check_surface_scene (scene));
-%!   [states, count] = integrate_gauss (system, 0:0.1:2, 5e-6);
+%!   [states, count] = integrate (system, 0:0.1:2, struct ("name", "auto", "tolerance", 1e-4));
 %!   assert (system.size (states(1:system.n,:)) < 1e-12);
 %!   assert (count.steps <= 70);
 %! endfor
-%!error <gauss stopped at t = 0(.0*)? s of 0.1 s: its steps shrank to nothing.* try a larger tolerance than 1e-09 m a frame>
+%!error <gauss stopped at t = 0(.0*)? s of 0.1 s: its steps shrank to nothing.* try a larger tolerance than 1e-09 m>
 %! scene = struct ("surface", struct ("name", "cylinder", "radius", 1), "duration", 0.1, ...
 %!                 "model", struct ("modes", [3 3]), "rod", struct ("length", 0.5, "EA", 50, "EI", 0.1, "rhoA", 2));
 %! system = surface_rod (check_surface_scene (scene));
 %! system.residual = @(t, z, varargin) NaN (size (z));
-%! integrate_gauss (system, [0 0.1], 1e-9);
+%! integrate (system, [0 0.1], struct ("name", "auto", "tolerance", 1e-9));

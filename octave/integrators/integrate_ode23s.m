@@ -13,14 +13,14 @@ function [states, steps] = integrate_ode23s (system, times, y, solver)
   requested = unique ([times, mean(times)]);
   options = odeset ("RelTol", solver.tolerance, "AbsTol", solver.tolerance, "MaxStep", times(end) - times(1), ...
                     "InitialStep", min (1e-3*(times(end) - times(1)), 0.1/max (highest_frequency (system), realmin)));
-  before = watch_rate ("calls");
+  before = system.calls ();
   warning_state = warning ("off", "all");
   unwind_protect
     [t, states] = ode23s (@(t, u) system.rate (t, scale.*u)./scale, requested, y./scale, options);
   unwind_protect_cleanup
     warning (warning_state);
   end_unwind_protect
-  steps = round ((watch_rate ("calls") - before)/(numel (y) + 4));
+  steps = round ((system.calls () - before)/(numel (y) + 4));
   finite = all (isfinite (states), 2);
   if (t(end) < times(end) || ! all (finite))
     reached = max ([t(finite); times(1)]);

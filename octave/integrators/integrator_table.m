@@ -1,31 +1,69 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{table} =} integrator_table ()
-## All integrators by name: a struct array of name, run (the function (system, times, y, solver) = [states, steps]; see
-## @code{integrate}), order (0: it varies) and adaptive (steps follow from the tolerance; else they are equal).
+## @deftypefn {} {@var{table} =} integrator_table (@var{forms})
+## All integrators, or those of systems that have the @var{forms} (a cellstr): a struct array of
+##
+## @table @code
+## @item name
+## as solver.name has it
+## @item form
+## of the equations that it takes: "rate" (y_dot of a state and a time), "oscillators" (the same with its linear part,
+## see @code{modal_form}), "momenta", "accelerations" (see @code{momenta_of_rod}, @code{accelerations_of_rod}), "residual"
+## (see @code{surface_rod}) or "constrained" (see @code{mechanism_system})
+## @item run
+## the function (system, times, y, solver) = [states, steps]; see @code{integrate}
+## @item order
+## 0: it varies
+## @item adaptive
+## whether steps follow from the tolerance; else they are equal
+## @item share
+## the part of the tolerance that a step may be off by is 1/share, so that the largest error of all frames stays near it:
+## a general method has to follow every oscillation (measured on the scene `paper', tests of @code{integrate})
+## @end table
 ## @end deftypefn
 
-function table = integrator_table ()
+function table = integrator_table (forms)
+  explicit = @(ode) @(varargin) integrate_explicit (ode, varargin{:});
+  fixed = @(method) @(varargin) integrate_fixed (method, 2, varargin{:});
+  lsode_of = @(method) @(varargin) integrate_lsode (method, varargin{:});
+  constrained = @(method) @(varargin) constrained_states (method, varargin{:});
+  index_1 = @(how) constrained (@(varargin) integrate_accelerations (how, varargin{:}));
+  steps = @(method) constrained (@(varargin) integrate_constrained_steps (method, varargin{:}));
+  dae = @(code) constrained (@(varargin) integrate_dae (code, varargin{:}));
   rows = {
-    "waveform",          @integrate_waveform,                                         8, true
-    "exponential",       @integrate_exponential,                                      4, true
-    "ode45",             @(varargin) integrate_explicit (@ode45, varargin{:}),        5, true
-    "ode23",             @(varargin) integrate_explicit (@ode23, varargin{:}),        3, true
-    "ode23s",            @integrate_ode23s,                                           2, true
-    "ode15s",            @integrate_ode15s,                                           0, true
-    "lsode_adams",       @(varargin) integrate_lsode ("adams", varargin{:}),          0, true
-    "lsode_bdf",         @(varargin) integrate_lsode ("bdf", varargin{:}),            0, true
-    "rk4",               @(varargin) integrate_fixed (@rk4, 4, varargin{:}),                    4, false
-    "stormer_verlet",    @(varargin) integrate_fixed (@stormer_verlet, 2, varargin{:}),         2, false
-    "implicit_midpoint", @(varargin) integrate_fixed (@implicit_midpoint, 2, varargin{:}),      2, false
-    "generalized_alpha", @(varargin) integrate_fixed (@generalized_alpha, 2, varargin{:}),      2, false
-    "trigonometric",     @(varargin) integrate_fixed (@trigonometric, 2, varargin{:}),          2, false
+    "waveform",          "oscillators",   @integrate_waveform,                            8, true,  1
+    "exponential",       "oscillators",   @integrate_exponential,                         4, true,  4
+    "ode45",             "rate",          explicit(@ode45),                               5, true,  400
+    "ode23",             "rate",          explicit(@ode23),                               3, true,  400
+    "ode23s",            "rate",          @integrate_ode23s,                              2, true,  400
+    "ode15s",            "rate",          @integrate_ode15s,                              0, true,  400
+    "lsode_adams",       "rate",          lsode_of("adams"),                              0, true,  400
+    "lsode_bdf",         "rate",          lsode_of("bdf"),                                0, true,  400
+    "rk4",               "rate",          @(varargin) integrate_fixed (@rk4, 4, varargin{:}), 4, false, 4
+    "stormer_verlet",    "momenta",       fixed(@stormer_verlet),                         2, false, 4
+    "implicit_midpoint", "momenta",       fixed(@implicit_midpoint),                      2, false, 4
+    "generalized_alpha", "accelerations", fixed(@generalized_alpha),                      2, false, 4
+    "trigonometric",     "momenta",       fixed(@trigonometric),                          2, false, 4
+    "gauss",             "residual",      @integrate_gauss,                               8, true,  1
+    "radau",             "constrained",   constrained(@integrate_radau),                  9, true,  1
+    "projection",        "constrained",   index_1("projection"),                          5, true,  1
+    "baumgarte",         "constrained",   index_1("baumgarte"),                           5, true,  1
+    "acceleration",      "constrained",   index_1("acceleration"),                        5, true,  1
+    "generalized_alpha", "constrained",   steps(@index3_alpha),                           2, false, 1
+    "variational",       "constrained",   steps(@variational),                            2, false, 1
+    "ode15i",            "constrained",   dae("ode15i"),                                  0, true,  1
+    "daspk",             "constrained",   dae("daspk"),                                   0, true,  1
   };
-  table = cell2struct (rows, {"name", "run", "order", "adaptive"}, 2).';
+  table = cell2struct (rows, {"name", "form", "run", "order", "adaptive", "share"}, 2).';
+  if (nargin > 0)
+    table = table(ismember ({table.form}, forms));
+  endif
 endfunction
 
-%!test # a scene's field takes just these
-%! kind = scene_fields (){strcmp(scene_fields ()(:,1), "solver.name"),3};
-%! for method = integrator_table ()
-%!   assert (value_error (kind, method.name), "");
+%!test # no form has a name twice, and a scene's field takes just these
+%! table = integrator_table ();
+%! assert (numel (unique (strcat ({table.form}, {table.name}))), numel (table));
+%! for kind = {scene_fields(), mechanism_fields(), surface_scene_fields(); rod_forms(), {"constrained"}, {"rate", "residual"}}
+%!   takes = kind{1}{strcmp(kind{1}(:,1), "solver.name"),3};
+%!   names = [{"auto"}, {integrator_table(kind{2}).name}];
+%!   assert (regexp (takes, '"(\w+)"', "tokens"), num2cell (names));
 %! endfor
-%! assert (numel (strfind (kind, "\""))/2, numel (integrator_table ()) + 1);

@@ -1,19 +1,16 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{text} =} progress_text (@var{t}, @var{end_time}, @var{steps}, @var{calls}, @var{seconds})
-## How far an integration to @var{end_time} (s) has come at the time @var{t}, after so many @var{steps} (0 where the
-## method does not tell), @var{calls} and @var{seconds}, and how many seconds are left if it goes on like that.
+## @deftypefn {} {@var{text} =} progress_text (@var{t}, @var{end_time}, @var{calls}, @var{seconds})
+## How far an integration to @var{end_time} (s) has come at the time @var{t}, after so many @var{calls} and
+## @var{seconds}, and how many seconds are left if it goes on like that.
 ## @end deftypefn
 
-function text = progress_text (t, end_time, steps, calls, seconds)
-  done = left = "";
-  if (steps > 0)
-    done = sprintf ("%d steps, ", steps);
-  endif
+function text = progress_text (t, end_time, calls, seconds)
+  left = "";
   if (t > 0)
     left = sprintf (", %.0f s left", seconds*(end_time/t - 1));
   endif
-  text = sprintf ("%.4g of %g s simulated, %s%d calls%s ", t, end_time, done, calls, left);
+  text = sprintf ("%.4g of %g s simulated, %d calls%s ", t, end_time, calls, left);
 endfunction
 
-%!assert (progress_text (0.5, 2, 10, 60, 4), "0.5 of 2 s simulated, 10 steps, 60 calls, 12 s left ")
-%!assert (progress_text (0, 2, 0, 60, 4), "0 of 2 s simulated, 60 calls ")
+%!assert (progress_text (0.5, 2, 60, 4), "0.5 of 2 s simulated, 60 calls, 12 s left ")
+%!assert (progress_text (0, 2, 60, 4), "0 of 2 s simulated, 60 calls ")

@@ -1,13 +1,13 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{summary} =} write_run (@var{output}, @var{scene}, @var{summary}, @var{start}, @
-##   @var{write_table}, @var{draw})
-## All files of a run into the folder of @var{output} (see @code{take_options}), and what a person at the terminal
-## wants to know of it.  The numbers come first: history.csv by @var{write_table} (file), and summary.json.  Then come
-## the pictures of the drawing that @var{draw} () returns (see @code{draw_pictures}); what of them cannot be made is a
+## @deftypefn {} {@var{summary} =} write_run (@var{output}, @var{kind}, @var{scene}, @var{run}, @var{summary}, @
+##   @var{start})
+## All files of a @var{run} of a scene of a @var{kind} (see @code{kind_of}) into the folder of @var{output} (see
+## @code{take_options}), and what a person at the terminal wants to know of it.  The numbers come first, history.csv and
+## summary.json, then the pictures of the kind's drawing (see @code{draw_pictures}); what of them cannot be made is a
 ## warning.  The summary comes back with that, and with the seconds of each part, those since @var{start} (a tic).
 ## @end deftypefn
 
-function summary = write_run (output, scene, summary, start, write_table, draw)
+function summary = write_run (output, kind, scene, run, summary, start)
   folder = output.folder;
   if (isempty (folder))
     return;
@@ -15,6 +15,7 @@ function summary = write_run (output, scene, summary, start, write_table, draw)
   pictures = {"frames", "animation.mp4", "animation.gif", "figure3.svg", "figure3.png", "figure3.pdf", ...
               "history.svg", "report.html"};
   names = {"history.csv", "summary.json"};
+  draw = @() kind.drawing (scene, run);
   summary.seconds.pictures = 0;
   summary.seconds.total = toc (start);
   ## The pictures of the last run go before its numbers do: they would not belong to these.
@@ -36,7 +37,8 @@ function summary = write_run (output, scene, summary, start, write_table, draw)
   cellfun (@(line) say ("%s", line), closing_lines (output, summary, names));
 
   function write_numbers (aside)
-    write_table (fullfile (aside, "history.csv"));
+    [names_of_columns, table] = kind.columns (scene, run);
+    write_history (names_of_columns, table, fullfile (aside, "history.csv"));
     write_last (aside);
   endfunction
 

@@ -44,9 +44,7 @@ function fields = scene_fields ()
     "model.stiffening",      "auto",         "\"auto\", \"foreshortening\" or \"none\""
     "model.moment_work",     "tangent",      "\"tangent\" or \"chord\""
     "model.rotary_inertia",  true,           "true or false"
-    "solver.name",           "auto",         [ ...
-      "\"auto\", \"waveform\", \"exponential\", \"ode45\", \"ode23\", \"ode23s\", \"ode15s\", \"lsode_adams\"," ...
-      " \"lsode_bdf\", \"rk4\", \"stormer_verlet\", \"implicit_midpoint\", \"generalized_alpha\" or \"trigonometric\""]
+    "solver.name",           "auto",         solver_names({"rate", "oscillators", "momenta", "accelerations"})
     "solver.step",           [],             "positive number in s"
     "solver.rho_infinity",   0.8,            "number from 0 to 1"
     "solver.tolerance",      "pixel",        "\"pixel\" or positive number in m"

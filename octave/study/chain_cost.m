@@ -7,7 +7,7 @@ function rows = chain_cost (sizes)
   rows = zeros (0, 3);
   for n = sizes
     scene = check_mechanism (load_scene (sprintf ("chain(%d)", n)));
-    [~, count] = run_mechanism (scene, build_mechanism (scene, mechanism_rungs (scene, zeros (1, n))));
+    count = run_model (mechanism_kind (), scene, build_mechanism (scene, mechanism_rungs (scene, zeros (1, n)))).count;
     rows(end+1,:) = [n, count.seconds/scene.duration, count.steps];
   endfor
 endfunction

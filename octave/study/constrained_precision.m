@@ -13,9 +13,8 @@
 
 function [table, write, draw] = constrained_precision (scene, folder, finest = 1e-9, sizes = [1 2 5 10 20 50])
   scene = check_mechanism (scene);
-  scene.solver.tolerance = mechanism_tolerance (scene);
   require_folder (folder);
-  mechanism = mechanism_of_scene (scene);
+  mechanism = chosen_model (mechanism_kind (), scene);
   system = mechanism_system (scene, mechanism);
   start = assemble_mechanism (scene, mechanism, system);
   times = frame_times (scene);

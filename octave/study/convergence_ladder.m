@@ -28,10 +28,9 @@ endfunction
 
 function [trial, sizes, scene] = mechanism_trials (scene)
   scene = check_mechanism (scene);
-  scene.solver.tolerance = mechanism_tolerance (scene);
   fine = setfield (scene, "solver", "tolerance", scene.solver.tolerance/50);
   sizes = {[0 0], [0 1], [0 2], [1 3], [2 5], [3 8], [5 12]};
-  trial = @(modes) mechanism_trial (fine, mechanism_rungs (same (fine, modes), []));
+  trial = @(modes) run_model (mechanism_kind (), fine, build_mechanism (fine, mechanism_rungs (same (fine, modes), [])));
 endfunction
 
 function scene = same (scene, modes)
@@ -42,7 +41,6 @@ endfunction
 
 function [trial, sizes, scene] = curved_trials (scene)
   scene = check_scene (scene);
-  scene.solver.tolerance = tolerance_in_metres (scene);
   fine = setfield (scene, "solver", "tolerance", scene.solver.tolerance/50);
   sizes = {[0 0], [1 2], [2 3], [3 5], [5 8], [8 12], [12 18], [18 27]};
   trial = @(modes) trial_run (fine, setfield (rung_of_scene (setfield (scene, "model", "modes", modes)), ...

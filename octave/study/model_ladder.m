@@ -29,7 +29,6 @@ endfunction
 
 function [table, scene] = ladder_of_rungs (scene, folder)
   scene = check_scene (scene);
-  scene.solver.tolerance = tolerance_in_metres (scene);
   require_folder (folder);
   choice = choose (rod_ladder (scene), scene.solver.tolerance);
   rich = struct ("sines", [], "bending", 30, "longitudinal", 30, "axial", "dynamic", "stiffening", "foreshortening");

@@ -137,14 +137,12 @@ endfunction
 %! assert (random_loaded_scene (1).rod, random_loaded_scene (1).rod);
 %! for seed = 1:8
 %!   scene = random_loaded_scene (seed);
-%!   if (isfield (scene, "bodies"))
-%!     checked = check_mechanism (scene);
-%!     mechanism = build_mechanism (checked, mechanism_rungs (checked, 2*ones (1, numel (checked.bodies))));
-%!     [~, warnings] = assemble_mechanism (checked, mechanism, mechanism_system (checked, mechanism));
-%!     assert (warnings, {});
-%!   else
-%!     check_scene (scene);
-%!   endif
+%!   kind = kind_of (scene);
+%!   checked = kind.check (scene);
+%!   ladder = kind.ladder (checked);
+%!   [first, ~] = ladder.first ();
+%!   system = kind.system (checked, kind.build (checked, ladder.richer (first)));
+%!   assert (system.warnings, {});
 %! endfor
 %!test # the hub's rates are derivatives of its angle
 %! h = 1e-6;

@@ -36,7 +36,7 @@ function row = verify_choice (which)
     endif
     seconds = toc (start);
     reference = far_richer (result);
-    true_error = distance (motion_of (result), reference);
+    true_error = distance (result, reference);
     smaller = smaller_error (result, reference);
   catch err
     row = struct ("name", sprintf ("%s: %s", name, strtrim (err.message)), "error", Inf, "estimate", NaN, ...
@@ -55,13 +55,15 @@ endfunction
 ## of the next smaller models of one straight rod (m); of others NaN
 function metres = smaller_error (result, reference)
   metres = NaN;
-  if (! isfield (result, "model") || ! isempty (result.scene.rod.curvature))
+  kind = kind_of (result.scene);
+  ladder = ladder_of (kind, result.scene);
+  if (! strcmp (kind.name, "rod") || ! ismember ("stiffening", ladder.parts))
     return;
   endif
-  for part = {"axial", "bending", "stiffening"}
-    rung = smaller_rung (result.model.rung, part{1}, result.scene);
+  for part = ladder.parts
+    rung = ladder.smaller (result.model.rung, part{1});
     if (! isequal (rung, result.model.rung))
-      metres = min (metres, distance (trial_run (result.scene, rung), reference));
+      metres = min (metres, distance (try_rung (ladder, rung), reference));
     endif
   endfor
 endfunction

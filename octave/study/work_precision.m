@@ -96,7 +96,6 @@ function report (row)
 endfunction
 
 function rows = ladder_of (scene)
-  scene.solver.tolerance = tolerance_in_metres (scene);
   choice = choose (rod_ladder (scene), scene.solver.tolerance);
   rows = struct ([]);
   for rung = ladder_rungs (choice.trial.rung, choice.reference.rung)

@@ -60,7 +60,7 @@ function [base, choices] = mechanism_choices ()
     "gravity", "none", {"gravity", 0}
     "solver", "auto", {}
   }];
-  for name = {constrained_table().name}
+  for name = {integrator_table({"constrained"}).name}
     choices(end+1,:) = {"solver", name{1}, {"solver.name", name{1}}};
   endfor
 endfunction

@@ -61,11 +61,8 @@ function off = elsewhere (scene, result)
 endfunction
 
 function names = adaptive_methods ()
-  tables = {integrator_table(), constrained_table()};
-  names = {};
-  for table = tables
-    names = [names, {table{1}([table{1}.adaptive]).name}];
-  endfor
+  table = integrator_table ();
+  names = setdiff ({table([table.adaptive]).name}, {table(! [table.adaptive]).name});
 endfunction
 
 function tips = tips_of (history)

@@ -30,7 +30,7 @@ function [tip, alone] = curved_mechanisms (count, level, tolerance, half_height 
   scene.joints{1} = struct ("kind", "revolute", "bodies", 1, "stations", 0);
   scene = check_mechanism (scene);
   mechanism = build_mechanism (scene, mechanism_rungs (scene, level*ones (1, count)));
-  last = run_mechanism (scene, mechanism).bodies(count);
+  last = run_model (mechanism_kind (), scene, mechanism).history.bodies(count);
   tip = [last.tip_x; last.tip_y];
 endfunction
 

@@ -20,7 +20,7 @@ function off = one_body (modes, duration, tolerance)
                  struct("kind", "moment", "bodies", 1, "stations", 0, "value", moment)};
   free.solver.tolerance = tolerance;
   free = check_mechanism (free);
-  history = run_mechanism (free, build_mechanism (free, mechanism_rungs (free, 0)));
+  history = run_model (mechanism_kind (), free, build_mechanism (free, mechanism_rungs (free, 0))).history;
   off = max ([abs(history.bodies.phi - reference.phi), abs(history.bodies.tip_x - reference.tip_x), ...
               abs(history.bodies.tip_y - reference.tip_y)]);
 endfunction

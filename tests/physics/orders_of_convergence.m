@@ -9,7 +9,7 @@
 %! scene = check_scene (setfield (setfield (paper (), "model", "modes", [0 1]), "duration", 0.35));
 %! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
 %! reference = integrate (system, [0 0.2 0.35], struct ("name", "waveform", "tolerance", 1e-13));
-%! for method = integrator_table ()
+%! for method = integrator_table (rod_forms ())
 %!   if (! method.adaptive)
 %!     error_with = @(step) error_at (system, method.name, step, reference);
 %!     order = log2 (error_with (5e-5)/error_with (2.5e-5));

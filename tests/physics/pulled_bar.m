@@ -63,7 +63,7 @@ endfunction
 %! [scene.duration, scene.solver.tolerance] = deal (0.042, 4e-4);
 %! evalc ("result = driver (scene, \"output\", \"\");");
 %! body = result.history.bodies;
-%! trial.x = body_centreline (result.mechanism.models{1}, linspace (0, bar.length, 11), body, 1);
+%! trial.x = body_centreline (result.model.models{1}, linspace (0, bar.length, 11), body, 1);
 %! off = off_wave (trial, bar, result.history.t);
 %! assert (off <= 4e-4);
 %! assert (result.summary.estimated_error_m/off > 0.3 && result.summary.estimated_error_m/off < 10);
@@ -71,7 +71,7 @@ endfunction
 %! bar = soft_bar ();
 %! scene = check_mechanism (jointed_bar (bar));
 %! [scene.duration, scene.solver.tolerance] = deal (0.042, 1e-5);
-%! trial_of = @(n) mechanism_trial (scene, mechanism_rungs (scene, 0, n));
+%! trial_of = @(n) run_model (mechanism_kind (), scene, build_mechanism (scene, mechanism_rungs (scene, 0, n)));
 %! [few, more] = deal (trial_of (2), trial_of (3));
 %! off = off_wave (few, bar, frame_times (scene));
 %! assert (off < 0.3*bar.force/bar.EA);

@@ -37,13 +37,13 @@ endfunction
 %!  endfor
 %!endfunction
 %!test # every method of one rod, rigid and bending
-%! check ("free", rods_at_rest ().free, {integrator_table().name}, [0 0]);
+%! check ("free", rods_at_rest ().free, {integrator_table(rod_forms ()).name}, [0 0]);
 %! for kind = {"free", "hanging", "hub", "curved"}
-%!   check (kind{1}, rods_at_rest ().(kind{1}), [{integrator_table().name}, "auto"], [0 2]);
+%!   check (kind{1}, rods_at_rest ().(kind{1}), [{integrator_table(rod_forms ()).name}, "auto"], [0 2]);
 %! endfor
 %!test # of mechanisms
 %! for kind = {"mechanism", "mechanism_hanging"}
-%!   check (kind{1}, rods_at_rest ().(kind{1}), [{constrained_table().name}, "auto"], [0 1]);
+%!   check (kind{1}, rods_at_rest ().(kind{1}), [{integrator_table({"constrained"}).name}, "auto"], [0 1]);
 %! endfor
 %!test # of rods on surfaces
 %! for kind = {"plane", "weightless_plane"}

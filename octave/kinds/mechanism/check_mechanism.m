@@ -1,12 +1,13 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} check_mechanism (@var{given})
 ## The scene of a mechanism with all its fields (see @code{mechanism_fields}): those @var{given}, checked, and defaults
-## for the others; bodies and joints become struct arrays, a joint's bodies two numbers (0: the ground).
+## for the others; bodies and joints become struct arrays, a joint's bodies two numbers (0: the ground).  The option
+## "modes" of @code{driver} is for all bodies.
 ## @end deftypefn
 
 function scene = check_mechanism (given)
   [fields, of_body, of_joint] = mechanism_fields ();
-  scene = take_fields (without_probed (given), fields, "a scene of bodies");
+  scene = take_fields (same_modes (without_probed (given)), fields, "a scene of bodies");
   refuse_missing_solver (scene.solver.name, "radau");
   scene.bodies = checked_list (scene.bodies, of_body, "bodies", @check_body);
   scene.joints = checked_list (scene.joints, of_joint, "joints", @(joint, what) check_joint (joint, what, scene));
@@ -14,6 +15,19 @@ function scene = check_mechanism (given)
   for k = 1:numel (scene.joints)
     scene.joints(k).value = joint_value (scene.joints(k), sprintf ("joints(%d).value", k), scene.bodies);
   endfor
+  scene.solver.tolerance = tolerance_in_metres (scene.solver.tolerance, mechanism_kind ().pixel (scene));
+endfunction
+
+function scene = same_modes (scene)
+  if (isfield (scene, "model") && isfield (scene.model, "modes") && isfield (scene, "bodies"))
+    if (isstruct (scene.bodies))
+      scene.bodies = num2cell (scene.bodies);
+    endif
+    for k = 1:numel (scene.bodies)
+      scene.bodies{k}.model.modes = scene.model.modes;
+    endfor
+    scene = rmfield (scene, "model");
+  endif
 endfunction
 
 function list = checked_list (given, fields, name, check)

@@ -1,11 +1,11 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{metres} =} dropped_of_bodies (@var{scene}, @var{mechanism}, @var{history})
-## How far what the rods' models drop beyond foreshortening may move a mechanism's points (m), without what it does
-## over time: the straight bodies' sum of how much nearer their points come to O, and how much their modes give to the
+## @deftypefn {} {@var{dropped} =} dropped_of_bodies (@var{scene}, @var{mechanism}, @var{history})
+## How far what the rods' models drop beyond foreshortening may move a mechanism's points, without what it does over
+## time, a struct as from @code{dropped_error} of which only the bound is known: the straight bodies' sum of how much nearer their points come to O, and how much their modes give to the
 ## forces of what is dropped (see @code{dropped_forces}; with weight and rotation, without accelerations).
 ## @end deftypefn
 
-function metres = dropped_of_bodies (scene, mechanism, history)
+function dropped = dropped_of_bodies (scene, mechanism, history)
   metres = 0;
   for k = 1:numel (history.bodies)
     model = mechanism.models{k};
@@ -13,6 +13,7 @@ function metres = dropped_of_bodies (scene, mechanism, history)
       metres += of_body (model, history.bodies(k), scene.bodies(k).tip_mass, scene.gravity);
     endif
   endfor
+  dropped = struct ("metres", metres, "x", 0, "y", 0, "bound", metres);
 endfunction
 
 function metres = of_body (model, body, tip_mass, gravity)
@@ -37,4 +38,4 @@ endfunction
 %! scene = check_mechanism (scene);
 %! mechanism = build_mechanism (scene, mechanism_rungs (scene, 0));
 %! history.bodies = struct ("V", [0.01 0.02], "phi", [0 0], "phi_dot", [0 0]);
-%! assert (dropped_of_bodies (scene, mechanism, history), 0.02*(0.02*pi/2)^2/2, 0.01*0.02*(0.02*pi/2)^2/2);
+%! assert (dropped_of_bodies (scene, mechanism, history).bound, 0.02*(0.02*pi/2)^2/2, 0.01*0.02*(0.02*pi/2)^2/2);

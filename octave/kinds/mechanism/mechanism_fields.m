@@ -14,7 +14,7 @@ function [scene, body, joint] = mechanism_fields ()
   of = @(prefix) rod(strncmp (rod(:,1), prefix, numel (prefix)),:);
   scene = [
     of("title"); of("gravity"); of("duration"); of("frames_per_second"); of("frame_size"); of("zoom")
-    {"solver.name", "auto", ["\"auto\", \"" strjoin({constrained_table().name}, "\", \"") "\""]}
+    {"solver.name", "auto", solver_names({"constrained"})}
     of("solver.step"); of("solver.rho_infinity"); of("solver.tolerance")
     {"solver.baumgarte", 100, "positive number in 1/s"
      "bodies", NaN, "struct array, or cell array of structs"

@@ -4,7 +4,7 @@
 ## L - lambda Phi.
 ##
 ## Fields: n, constraint_count, spring_count, stiffness, damping_matrix (n-by-n, constant), mass (n-by-n, of the bodies
-## as they are made), duration, breaks, q_scale (m: what each coordinate may be off by where a point is off by 1 m),
+## as they are made), duration, breaks, forms, auto, q_scale (m: what each coordinate may be off by where a point is off by 1 m),
 ## and, for times t (1-by-k) and states q, v (n-by-k),
 ##
 ## @table @code
@@ -32,6 +32,8 @@ function system = mechanism_system (scene, mechanism)
   system.spring_count = mechanism.springs.count;
   system.duration = scene.duration;
   system.breaks = scene.breaks;
+  system.forms = {"constrained"};
+  system.auto = "radau";
   system.stiffness = system.damping_matrix = sparse (system.n, system.n);
   system.q_scale = ones (system.n, 1);
   for group = mechanism.groups

@@ -30,6 +30,7 @@ function scene = check_scene (given)
   if (! isempty (scene.rotation))
     refuse_with_rotation (scene);
   endif
+  scene.solver.tolerance = tolerance_in_metres (scene.solver.tolerance, plane_pixel (scene, scene.rod.length));
 endfunction
 
 ## the tangent at O is prescribed: a moment there would do nothing, and phi follows

@@ -34,11 +34,15 @@ function system = hinged_rod (scene, model)
   system.momenta = momenta_of_rod (n, constants, system.mass, system.stiffness);
   system.accelerations = accelerations_of_rod (n, constants);
   system.turned = isempty (model.rung.sines);
+  system.forms = rod_forms ();
+  system.auto = "waveform";
+  system.warnings = {};
   system.duration = scene.duration;
   system.gravity = scene.gravity;
   system.force = scene.force;
   system.longest_step = longest_step (model);
   system.breaks = scene.moment_breaks;
+  system.energy_rows = numel (system.initial_state) + [-1, 0];
   system.state_scale = state_scale (model, scene, [ones(n, 1); 1/model.length]);
 endfunction
 

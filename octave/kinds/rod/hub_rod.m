@@ -26,11 +26,15 @@ function system = hub_rod (scene, model)
   system.energies = @(phi, phi_dot, q, q_dot) rod_energies_of (phi, phi_dot, q, q_dot, constants);
   system.accelerations = struct ("rate", system.rate, "state", @(z) z, "form", @(y) y);
   system.turned = isempty (model.rung.sines);
+  system.forms = rod_forms ();
+  system.auto = "waveform";
+  system.warnings = {};
   system.duration = scene.duration;
   system.gravity = scene.gravity;
   system.force = scene.force;
   system.longest_step = longest_step (model);
   system.breaks = scene.moment_breaks;
+  system.energy_rows = numel (system.initial_state) + [-1, 0];
   system.state_scale = state_scale (model, scene, ones (n, 1));
 endfunction
 

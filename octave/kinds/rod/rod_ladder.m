@@ -14,7 +14,7 @@ function ladder = rod_ladder (scene)
   ladder.left_out = @left_out_of;
   ladder.poorer = @(rung, reference) clearly_fewer ([rung.bending, rung.longitudinal], ...
                                                     [reference.bending, reference.longitudinal]);
-  ladder.trial = @(rung) run_rod (scene, build_model (scene, rung), "auto", scene.solver.tolerance/5);
+  ladder.solver = setfield (setfield (scene.solver, "name", "auto"), "tolerance", scene.solver.tolerance/5);
   ladder.name = @rung_name;
 endfunction
 
@@ -40,7 +40,7 @@ endfunction
 %!test # the paper's scene needs the foreshortening and bending modes, no longitudinal ones; one mode less is too few
 %! scene = check_scene (paper ());
 %! scene.duration = 0.6; scene.solver.tolerance = 2e-5;
-%! choice = choose (rod_ladder (scene), scene.solver.tolerance);
+%! choice = choose (ladder_of (rod_kind (), scene), scene.solver.tolerance);
 %! assert (choice.rung.axial, "none");
 %! assert (choice.rung.bending >= 2 && choice.rung.bending <= 5);
 %! assert (choice.error_m < 2e-5); assert (choice.warnings, {});
@@ -51,7 +51,7 @@ endfunction
 %!test # what a rung with fewer modes leaves out of a motion
 %! scene = check_scene (setfield (setfield (paper (), "duration", 0.3), "solver", "tolerance", 1e-4));
 %! rung = struct ("sines", [], "bending", 3, "longitudinal", 0, "axial", "none", "stiffening", "none");
-%! ladder = rod_ladder (scene);
+%! ladder = ladder_of (rod_kind (), scene);
 %! reference = try_rung (ladder, rung);
 %! [~, across] = functions_at (reference.model.base, linspace (0, 1, 21).');
 %! third = across*reference.model.basis(:,3)*reference.history.q(3,:);

@@ -33,9 +33,7 @@ function scene = check_surface_scene (given)
                  isequal (scene.surface.side, 0)))
     scene_error ("surface.side is not 1, -1 or 0: the side of the normal, the other, or both");
   endif
-  if (ischar (scene.solver.tolerance))
-    scene.solver.tolerance = scene.rod.length/min (scene.frame_size)/2;
-  endif
+  scene.solver.tolerance = tolerance_in_metres (scene.solver.tolerance, surface_kind ().pixel (scene));
   if (ischar (scene.model.modes) && any (scene.model.sines))
     scene_error ("model.sines are beside so many polynomials as model.modes says: give it, [4 4] say, not \"auto\"");
   endif

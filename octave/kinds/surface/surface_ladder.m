@@ -6,7 +6,6 @@
 ## @end deftypefn
 
 function ladder = surface_ladder (scene)
-  scene.solver.name = "auto";
   ladder.share = 0.95;
   ladder.parts = {"polynomials"};
   ladder.first = @() deal ([8 8], "");
@@ -14,40 +13,42 @@ function ladder = surface_ladder (scene)
   ladder.smaller = @(rung, part) max (rung - 1, 4);
   ladder.left_out = @(reference, rung, part) left_out_of (reference, rung);
   ladder.poorer = @clearly_fewer;
-  ladder.trial = @(rung) surface_run (scene, rung, Inf);
+  ladder.solver = setfield (setfield (scene.solver, "name", "auto"), "balance", Inf);
   ladder.name = @(rung) sprintf ("%d + %d polynomials", rung);
 endfunction
 
 ## the centreline without its last polynomials
 function metres = left_out_of (reference, rung)
-  [history, model] = deal (reference.history, reference.scene.model);
-  stations = linspace (0, reference.scene.rod.length, rows (history.x)).';
+  [history, model] = deal (reference.history, reference.model.numbers);
+  length = sum (reference.model.weights);
+  stations = linspace (0, length, rows (history.x)).';
   number = [0:model.modes(1)-1, 0:model.modes(2)-1].';
   q = history.q.*(number < rung(1));
   for i = 1:2
     part = (i - 1)*model.modes(1) + (1:model.modes(i));
-    alpha{i} = rod_functions (model, i, stations, reference.scene.rod.length)*q(part,:);
+    alpha{i} = rod_functions (model, i, stations, length)*q(part,:);
   endfor
-  [without.x, without.y, without.z] = reference.system.surface.position (alpha{:});
+  [without.x, without.y, without.z] = reference.model.surface.position (alpha{:});
   metres = distance (without, history);
 endfunction
 
 %!test # the fewest: with fewer the centreline is off by more than the tolerance
 %! scene = setfield (setfield (large_swing (), "duration", 0.2), "solver", "tolerance", 1e-4);
 %! scene = check_surface_scene (scene);
-%! choice = choose (surface_ladder (scene), 1e-4);
+%! choice = choose (ladder_of (surface_kind (), scene), 1e-4);
 %! assert (choice.error_m <= 1e-4); assert (choice.warnings, {});
-%! rich = surface_run (scene, [20 20], Inf);
+%! trial = ladder_of (surface_kind (), scene).trial;
+%! rich = trial ([20 20]);
 %! true_error = distance (choice.trial, rich);
 %! assert (true_error <= 1e-4); assert (choice.error_m/true_error, 1, 0.5);
-%! assert (distance (surface_run (scene, choice.rung - 1, Inf), rich) > 0.9e-4);
+%! assert (distance (trial (choice.rung - 1), rich) > 0.9e-4);
 %! assert (min (vertcat (choice.tried.rung)(:)) > 4);
 %!test # what polynomials leave out of a straight rod on the plane: nothing; of a quarter circle: less with more
 %! scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 0.01, ...
 %!                 "rod", struct ("length", 2, "EA", 3, "EI", 1, "rhoA", 1));
-%! ladder = surface_ladder (check_surface_scene (scene));
+%! ladder = ladder_of (surface_kind (), check_surface_scene (scene));
 %! assert (ladder.left_out (ladder.trial ([6 6]), [4 4], "polynomials"), 0, 1e-12);
 %! scene.initial.shape = @(xi) [2/pi*sin(pi/4*xi); 2/pi*(1 - cos (pi/4*xi))];
-%! ladder = surface_ladder (check_surface_scene (scene));
+%! ladder = ladder_of (surface_kind (), check_surface_scene (scene));
 %! run = ladder.trial ([8 8]);
 %! assert (ladder.left_out (run, [4 4], "polynomials") > 10*ladder.left_out (run, [5 5], "polynomials"));

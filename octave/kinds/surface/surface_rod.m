@@ -4,13 +4,13 @@
 ## with the state y = (z; z_dot; W): coordinates in what the ends leave free, q = start + basis*z, their rates, work of
 ## the loads.
 ##
-## Fields: n coordinates, initial_state, place (see @code{place_rod}), residual (t, z, z_dot, z_ddot) = mass times
+## Fields: n coordinates, numbers (of polynomials, modes, and sines), initial_state, place (see @code{place_rod}), residual (t, z, z_dot, z_ddot) = mass times
 ## acceleration less forces (n-by-m, at m times), power (t, z, z_dot) of the loads, mass_matrix (z), rate, energies
 ## (z, z_dot; see @code{surface_energies}), tangent_stiffness (t, z, z_dot, z_ddot), refuse_singular (z, when), size (z),
 ## the largest displacement (m) that goes with a small change of z, fields (z, z_dot, z_ddot, stations) = arguments of
 ## the surface's functions at stations of the rod, surface, rod (stiffnesses and mass as these functions take them),
 ## rhoI, points and weights (p-by-1, m, of the quadrature), breaks, state_scale, mass, stiffness (linear about the
-## start), energy_floor (J), turned, duration.
+## start), energy_floor (J), turned, forms, auto, duration.
 ## @end deftypefn
 
 function system = surface_rod (scene)
@@ -20,6 +20,7 @@ function system = surface_rod (scene)
   endfor
   system.place = place_rod (scene, surface);
   system.surface = surface;
+  system.numbers = struct ("modes", scene.model.modes, "sines", scene.model.sines);
   system.n = columns (system.place.basis);
   [x, weights] = gauss_rule (quadrature_points (scene.model));
   system.points = scene.rod.length*x.';
@@ -54,6 +55,10 @@ function system = surface_rod (scene)
   system.breaks = scene.moment_breaks;
   system.duration = scene.duration;
   system.turned = false;
+  system.forms = {"rate", "residual"};
+  system.auto = "gauss";
+  system.warnings = {};
+  system.energy_rows = numel (system.initial_state);
 endfunction
 
 function base = rod_basis (scene, place, stations)

@@ -41,8 +41,8 @@ function fields = surface_scene_fields ()
     "view.turning",        0,                  "number in degrees per second"
     "model.modes",         "auto",             "\"auto\" or two numbers of polynomials [N1 N2]"
     "model.sines",         [0 0],              "two numbers of sines [N1 N2]"
-    "solver.name",         "auto",             ...
-                           "\"auto\", \"gauss\", \"ode45\", \"ode15s\", \"lsode_adams\" or \"lsode_bdf\""
+    "solver.name",         "auto",             solver_names({"rate", "residual"})
+    "solver.step",         [],                 "positive number in s"
     "solver.tolerance",    "pixel",            "\"pixel\" or positive number in m"
   };
 endfunction

@@ -1,51 +1,31 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{estimate} =} estimate_error (@var{scene}, @var{model}, @var{choice}, @var{history})
-## The estimated error of a chosen @var{model}'s run, against the rod: a struct of
+## @deftypefn {} {@var{estimate} =} estimate_error (@var{kind}, @var{scene}, @var{run}, @var{reference})
+## The estimated error of the @var{run} of a chosen model (see @code{kind_of}) against the rod, of which the
+## @var{reference} is a richer model's run (see @code{choose}): a struct of
 ##
 ## @table @code
 ## @item metres
-## the largest distance of the centreline from that of the richer model of the @var{choice} (see @code{choose}),
-## moved by what the whole family of models drops
+## the largest distance of the points from those of the richer model, moved by what the whole family of models drops
 ## @item of_choice
 ## the same without what is dropped
 ## @item dropped
-## the largest distance by which that moves it (see @code{dropped_error}; of a curved rod it is not known: empty)
+## the largest distance by which that moves them (empty where it is not known)
 ## @item seconds
 ## what it took
 ## @end table
 ## @end deftypefn
 
-function estimate = estimate_error (scene, model, choice, history)
+function estimate = estimate_error (kind, scene, run, reference)
   start = tic ();
-  reference = choice.reference;
-  [moved.x, moved.y] = centreline (model, linspace (0, model.length, rows (reference.x)), history, 1);
-  estimate.metres = estimate.of_choice = distance (moved, reference);
+  estimate.metres = estimate.of_choice = distance (run, reference);
   estimate.dropped = [];
-  if (isempty (scene.rod.curvature))
-    [model, history] = with_slow_modes (scene, model, history, reference);
-    dropped = dropped_error (scene, model, history);
+  dropped = kind.dropped (scene, run, reference);
+  if (! isempty (dropped))
     exact = struct ("x", reference.x + dropped.x, "y", reference.y + dropped.y);
-    estimate.metres = distance (moved, exact) + dropped.bound;
+    estimate.metres = distance (run, exact) + dropped.bound;
     estimate.dropped = dropped.metres;
   endif
   estimate.seconds = toc (start);
-endfunction
-
-## A rod that rings along its length rings its bending by what is dropped: by modes that are as slow, chosen or not.
-function [model, history] = with_slow_modes (scene, model, history, reference)
-  richer = reference.model;
-  [n1, n] = deal (reference.rung.longitudinal, columns (richer.basis));
-  if (! (strcmp (model.rung.axial, "dynamic") && strcmp (richer.rung.axial, "dynamic")))
-    return;
-  endif
-  omega = sqrt (diag (richer.arrays.stiffness_matrix)./diag (richer.arrays.mass_matrix));
-  slow = sum (omega(n1+1:n) < 1.5*min (omega(1:n1)));
-  if (slow > model.rung.bending)
-    trial = trial_run (scene, setfield (model.rung, "bending", slow));
-    if (isempty (trial.error))
-      [model, history] = deal (trial.model, trial.history);
-    endif
-  endif
 endfunction
 
 %!test # a rod that does not bend drops nothing
@@ -53,7 +33,7 @@ endfunction
 %! rigid = struct ("sines", [], "bending", 0, "longitudinal", 0, "axial", "none", "stiffening", "none");
 %! trial = trial_run (scene, rigid);
 %! reference = setfield (setfield (trial, "x", trial.x + 3e-6), "y", trial.y - 4e-6);
-%! estimate = estimate_error (scene, trial.model, struct ("reference", reference), trial.history);
+%! estimate = estimate_error (rod_kind (), scene, trial, reference);
 %! assert ([estimate.metres, estimate.of_choice, estimate.dropped], [5e-6 5e-6 0], 1e-12);
 %!test # Kane's spin-up at 1e-4 m: the exact rod is 3.2e-3 m away (two codes), and it is said
 %! evalc ("summary = driver ('spin_up', 'tolerance', 1e-4, 'output', '').summary;");

@@ -1,0 +1,33 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{system} =} between_breaks (@var{system}, @var{interval}, @var{counted})
+## A system (see @code{integrate}) within an @var{interval} (s) between two breaks: its functions take loads from inside,
+## and what they return passes through @var{counted} (t, value).
+## @end deftypefn
+
+function system = between_breaks (system, interval, counted)
+  inside = inside_of (interval);
+  if (isfield (system, "rate"))
+    rate = system.rate;
+    system.rate = @(t, y) counted (t, rate (t, y, inside));
+  endif
+  for form = intersect ({"momenta", "accelerations"}, fieldnames (system).')
+    form_rate = system.(form{1}).rate;
+    system.(form{1}).rate = @(t, z) counted (t, form_rate (t, z, inside));
+  endfor
+  if (isfield (system, "residual"))
+    residual = system.residual;
+    system.residual = @(t, varargin) counted (t, residual (t, varargin{:}));
+  endif
+  if (isfield (system, "at"))
+    at = system.at;
+    system.at = @(t, q, v) at (counted (t, min (max (t, inside(1)), inside(2))), q, v);
+  endif
+endfunction
+
+%!test
+%! system.rate = @(t, y, interval) y + (interval(2) < 1);
+%! system.at = @(t, q, v) t;
+%! twice = @(t, value) 2*value;
+%! between = between_breaks (system, [0 1], twice);
+%! assert (between.rate (1, 3), 8);
+%! assert (between.at (1, [], []) < 2); assert (between.at (1, [], []), 2, 1e-12);

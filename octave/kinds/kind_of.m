@@ -1,0 +1,57 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{kind} =} kind_of (@var{scene})
+## The kind of a @var{scene}, checked or not: a struct of what the kinds do each in its way.  All else is the same for
+## every kind.
+##
+## @table @code
+## @item name
+## "rod", "mechanism" or "surface"
+## @item has (given)
+## whether a scene is of this kind
+## @item check (given)
+## the scene with all its fields, or an error; its tolerance is in metres, probed its loads
+## @item pixel (scene)
+## metres of a drawn pixel
+## @item stated (scene)
+## [rung, note]: the rung of the ladder that the scene states, empty where it is to be chosen, and what to say of it
+## @item ladder (scene)
+## what @code{choose} takes, and the solver of its trials (see @code{ladder_of})
+## @item far_richer (scene, model)
+## a rung far above a model's
+## @item build (scene, rung)
+## the model
+## @item system (scene, model)
+## what @code{integrate} takes, with warnings (a cellstr) and energy_rows (those of work and dissipated energy)
+## @item observe (scene, model, system, times, states)
+## history and points of a run (see @code{run_model}), and what else the kind has
+## @item tighter (solver, off)
+## the solver for a smaller energy balance than @var{off} (see @code{balanced_run})
+## @item dropped (scene, run, reference)
+## what all models of the ladder drop: a struct of metres, x, y and bound (see @code{dropped_error}), or empty
+## @item instead (scene)
+## what to take where no model of the ladder will do, a text
+## @item foreseen (scene, model)
+## warnings that are known before the run, a cellstr
+## @item describe (scene, run)
+## the summary's own fields, of which model is a text
+## @item warnings (scene, run)
+## where the run leaves what its model holds for, a cellstr
+## @item columns (scene, run)
+## [names, table] of history.csv: names with units, a row a name
+## @item drawing (scene, run)
+## what @code{draw_pictures} takes
+## @end table
+## @end deftypefn
+
+function kind = kind_of (scene)
+  kinds = kind_table ();
+  if (! (isstruct (scene) && isscalar (scene)))
+    scene_error ("a scene is a function that returns a struct, not a %s", class (scene));
+  endif
+  kind = kinds(find (arrayfun (@(kind) kind.has (scene), kinds), 1));
+endfunction
+
+%!assert (kind_of (paper ()).name, "rod")
+%!assert (kind_of (chain (2)).name, "mechanism")
+%!assert (kind_of (bowl ()).name, "surface")
+%!error <a scene is a function that returns a struct, not a double> kind_of (3)

@@ -1,0 +1,20 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{system} =} assembled_system (@var{scene}, @var{mechanism})
+## The system of a checked scene's @var{mechanism} (see @code{mechanism_system}), put together (see
+## @code{assemble_mechanism}): with initial_state, state_scale (see @code{integrate}) and the warnings of its assembly.
+## @end deftypefn
+
+function system = assembled_system (scene, mechanism)
+  system = mechanism_system (scene, mechanism);
+  [start, system.warnings] = assemble_mechanism (scene, mechanism, system);
+  system.initial_state = [start.q; start.v; zeros(system.constraint_count, 1); start.W; start.D];
+  system.state_scale = system.q_scale;
+  system.energy_rows = [];
+endfunction
+
+%!test
+%! [~, ~, scene] = sample_mechanism ([0 1]);
+%! mechanism = build_mechanism (scene, mechanism_rungs (scene, [0 0 0]));
+%! system = assembled_system (scene, mechanism);
+%! [start, warnings] = assemble_mechanism (scene, mechanism, system);
+%! assert (named_rows (system, system.initial_state).q, start.q); assert (system.warnings, warnings);

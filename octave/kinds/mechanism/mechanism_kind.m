@@ -1,0 +1,100 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{kind} =} mechanism_kind ()
+## Several bodies, held by joints, among the kinds of scenes (see @code{kind_of}).
+## @end deftypefn
+
+function kind = mechanism_kind ()
+  kind.name = "mechanism";
+  kind.has = @(given) isfield (given, "bodies");
+  kind.check = @check_mechanism;
+  kind.pixel = @(scene) plane_pixel (scene, max (arrayfun (@(body) body.rod.length, scene.bodies)));
+  kind.stated = @stated_rung;
+  kind.ladder = @mechanism_ladder;
+  kind.far_richer = @far_richer_rung;
+  kind.build = @(scene, rung) build_mechanism (scene, mechanism_rungs (scene, rung.bending, rung.longitudinal));
+  kind.system = @assembled_system;
+  kind.observe = @observe_mechanism;
+  ## what is damped falls about as the tolerance's square root
+  kind.tighter = @(solver, off) setfield (solver, "tolerance", solver.tolerance*min (max ((5e-8/off)^2, 1e-3), 0.1));
+  kind.dropped = @(scene, run, reference) dropped_of_bodies (scene, run.model, run.history);
+  kind.instead = @(scene) welded_rods ();
+  kind.foreseen = @(scene, model) {};
+  kind.describe = @describe_mechanism;
+  kind.warnings = @large_deflections;
+  kind.columns = @mechanism_columns;
+  kind.drawing = @(scene, run) mechanism_drawing (scene, run.model, run.history);
+endfunction
+
+function [rung, note] = stated_rung (scene)
+  rung = [];
+  note = "";
+  if (! any (arrayfun (@(body) ischar (body.model.modes), scene.bodies)))
+    rung.bending = rung.longitudinal = zeros (1, numel (scene.bodies));  # bodies have what they state
+    note = stiffening_of_bodies (scene);
+  endif
+endfunction
+
+function rung = far_richer_rung (scene, mechanism)
+  for name = {"bending", "longitudinal"}
+    rung.(name{1}) = 2*cellfun (@(model) model.rung.(name{1}), mechanism.models) + 6;
+  endfor
+endfunction
+
+## with the derivatives of the constraints by the coordinates at the start (constraints-by-n)
+function run = observe_mechanism (scene, model, system, times, states)
+  history = measure_mechanism (system, times, named_rows (system, states));
+  run = mechanism_points (model, history);
+  run.history = history;
+  start = named_rows (system, system.initial_state);
+  [~, run.start_jacobian] = system.matrices (system.at (0, start.q, start.v));
+endfunction
+
+function own = describe_mechanism (scene, run)
+  [models, history] = deal (run.model.models, run.history);
+  own.model = sprintf ("%d bodies, %d coordinates, %d constraints", numel (scene.bodies), run.model.n, ...
+                       run.model.constraints.count);
+  own.bodies = {scene.bodies.name};
+  own.joints = {scene.joints(:).name};
+  own.modes = cellfun (@(model) [model.rung.longitudinal, model.rung.bending], models, "uniformoutput", false);
+  own.stiffening = cellfun (@(model) model.rung.stiffening, models, "uniformoutput", false);
+  own.largest_constraint_residual = max (history.residual);
+  own.largest_constraint_velocity = max (history.velocity_residual);
+endfunction
+
+## the rods' bending is linear: it holds for small slopes
+function warnings = large_deflections (scene, run)
+  warnings = {};
+  for k = 1:numel (run.history.bodies)
+    base = run.model.models{k}.base;
+    [~, slopes] = functions_at (base, linspace (0, base.length, 21), 1);
+    steepest = max (abs (slopes*run.history.bodies(k).V)(:));
+    if (steepest > 0.3)
+      warnings{end+1} = sprintf (["%s bends to a slope of %.2g: the model holds below some 0.3; take it as several" ...
+                                  " rods welded together"], scene.bodies(k).name, steepest);
+    endif
+  endfor
+endfunction
+
+%!test # bodies keep what they state
+%! scene = check_mechanism (setfield (chain (2), "duration", 0.02));
+%! [model, choice] = chosen_model (mechanism_kind (), scene);
+%! assert (cellfun (@(model) model.rung.bending, model.models), [1 1]);
+%! assert (choice.reason, "given by the scene; stiffening = \"auto\" is none where numbers of modes are stated");
+%!test # a rod that bends too far is named
+%! [system, start, scene] = sample_mechanism ([0 1]);
+%! start.q(index_of (system.mechanism, 2)(1)) = 0.1;
+%! run.model = system.mechanism;
+%! run.history = measure_mechanism (system, 0, first_states (system, 0, start));
+%! assert (! isempty (regexp (mechanism_kind ().warnings (scene, run){1}, "body 2 bends to a slope of 0.63")));
+%!test # what the chooser has said, or that the run by another solver is off by more than the tolerance
+%! scene = setfield (chain (1), "duration", 0.04);
+%! scene.bodies{1}.model.modes = "auto";
+%! scene.solver = struct ("name", "variational", "step", 0.02, "tolerance", 1e-7);
+%! result = driver (scene, "output", "");
+%! assert (result.summary.estimated_error_m > 1e-7);
+%! said = @(text) any (! cellfun (@isempty, strfind (result.summary.warnings, text)));
+%! assert (said ("the estimated error is"));
+%! assert (isempty (strfind (result.summary.model_reason, "the largest")));
+%!test # half a pixel of the longest rod
+%! [~, ~, scene] = sample_mechanism ([0 1]);
+%! assert (mechanism_kind ().pixel (scene), 2.5*0.5/720, 1e-12);

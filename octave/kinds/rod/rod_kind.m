@@ -1,0 +1,83 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{kind} =} rod_kind ()
+## One rod, straight or curved, hinged at O or in a hub, among the kinds of scenes (see @code{kind_of}).
+## @end deftypefn
+
+function kind = rod_kind ()
+  kind.name = "rod";
+  kind.has = @(given) true;
+  kind.check = @check_scene;
+  kind.pixel = @(scene) plane_pixel (scene, scene.rod.length);
+  kind.stated = @stated_rung;
+  kind.ladder = @straight_or_curved;
+  kind.far_richer = @far_richer_rung;
+  kind.build = @build_model;
+  kind.system = @rod_system;
+  kind.observe = @observe_rod;
+  kind.tighter = @(solver, off) setfield (solver, "tolerance", solver.tolerance*min (max (1e-7/off, 1e-3), 0.1));
+  kind.dropped = @dropped_of_rod;
+  kind.instead = @instead_of_rod;
+  kind.foreseen = @spin_warning;
+  kind.describe = @describe_rod;
+  kind.warnings = @(scene, run) validity_warnings (scene, run.model, run.history);
+  kind.columns = @rod_columns;
+  kind.drawing = @(scene, run) setfield (rod_drawing (scene, run.model, run.history), "spectrum", ...
+                                         tip_spectrum (scene, run.model));
+endfunction
+
+function [rung, note] = stated_rung (scene)
+  rung = [];
+  note = "";
+  if (isnumeric (scene.model.modes))
+    rung = rung_of_scene (scene);
+    note = stiffening_note (scene.model, rung.bending*isempty (scene.rod.curvature));
+  endif
+endfunction
+
+function ladder = straight_or_curved (scene)
+  if (isempty (scene.rod.curvature))
+    ladder = rod_ladder (scene);
+  else
+    ladder = curved_ladder (scene);
+  endif
+endfunction
+
+function rung = far_richer_rung (scene, model)
+  rung = struct ("sines", [], "bending", 30, "longitudinal", 30, "axial", "dynamic", "stiffening", "foreshortening");
+  if (! isempty (scene.rod.curvature))
+    rung.sines = [27 40];
+    rung.stiffening = "none";
+  endif
+endfunction
+
+function run = observe_rod (scene, model, system, times, states)
+  run.history = measure (system, model, times, states);
+  [run.x, run.y] = centreline (model, linspace (0, model.length, 21), run.history, 1);
+endfunction
+
+function own = describe_rod (scene, run)
+  rung = run.model.rung;
+  own.model = rung_name (rung);
+  own.modes = [rung.longitudinal, rung.bending];
+  own.axial = rung.axial;
+  own.stiffening = rung.stiffening;
+  own.energy = scene.model.energy;
+  own.moment_work = scene.model.moment_work;
+  own.rotary_inertia = logical (scene.model.rotary_inertia);
+endfunction
+
+## a rod on a plane is exact, but has neither hub nor tip mass, damping or a force on the way
+function text = instead_of_rod (scene)
+  text = welded_rods ();
+  if (isempty (scene.rotation) && isempty (scene.force) && scene.tip_mass == 0 && scene.rod.damping == 0)
+    text = "the rod on an upright plane, scene.surface.name = \"plane\", is geometrically exact";
+  endif
+endfunction
+
+%!test # what is stated, with what its stiffening means; a curved rod and a rigid one have none to speak of
+%! stated = rod_kind ().stated;
+%! [rung, note] = stated (check_scene (setfield (paper (), "model", "modes", [1 2])));
+%! assert (rung_name (rung), "1 + 2 sines");
+%! assert (note, "stiffening = \"auto\" is none where numbers of modes are stated");
+%! assert (nthargout (2, stated, check_scene (setfield (arc_pendulum (), "model", "modes", [1 2]))), "");
+%! assert (stated (check_scene (paper ())), []);

@@ -1,0 +1,22 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{names}, @var{table}] =} surface_columns (@var{scene}, @var{run})
+## What history.csv has of a @var{run} of a rod on a surface (see @code{measure_surface}): @var{names} with units and the
+## @var{table}, a row a name, a column a time.  The coefficients have the unit of the chart's coordinate.
+## @end deftypefn
+
+function [names, table] = surface_columns (scene, run)
+  history = run.history;
+  [energies, joules] = energy_columns (history);
+  names = [{"t [s]", "tip_x [m]", "tip_y [m]", "tip_z [m]"}, history.q_names, energies, ...
+           {"angular_momentum_x [kg m^2/s]", "angular_momentum_y [kg m^2/s]", "angular_momentum_z [kg m^2/s]", ...
+            "smallest_reaction [N/m]", "largest_reaction [N/m]"}];
+  table = [history.t; history.tip; history.q; joules; history.angular_momentum; ...
+           min(history.reaction, [], 1); max(history.reaction, [], 1)];
+endfunction
+
+%!test
+%! history = struct ("t", 0, "tip", [1; 2; 3], "q", [4; 5], "T", 6, "U", 7, "Z", 8, "W", 9, "D", 0, ...
+%!                   "angular_momentum", [1; 2; 3], "reaction", [-1; 2]);
+%! history.q_names = {"alpha1_0", "alpha2_0"};
+%! [names, table] = surface_columns ([], struct ("history", history));
+%! assert (table.', [0 1 2 3 4 5 6 7 8 9 0 1 2 3 -1 2]); assert (numel (names), 16);

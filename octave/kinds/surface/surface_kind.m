@@ -1,0 +1,98 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{kind} =} surface_kind ()
+## A rod on a surface, among the kinds of scenes (see @code{kind_of}).  The rod fills a frame's smaller side.
+## @end deftypefn
+
+function kind = surface_kind ()
+  kind.name = "surface";
+  kind.has = @(given) isfield (given, "surface");
+  kind.check = @check_surface_scene;
+  kind.pixel = @(scene) scene.rod.length/min (scene.frame_size);
+  kind.stated = @stated_rung;
+  kind.ladder = @surface_ladder;
+  kind.far_richer = @(scene, model) min (2*model.numbers.modes, 32);
+  kind.build = @(scene, rung) surface_rod (setfield (scene, "model", "modes", rung));
+  kind.system = @(scene, model) model;
+  kind.observe = @observe_surface;
+  kind.tighter = @tighter;
+  kind.dropped = @(scene, run, reference) [];
+  kind.instead = @(scene) "";
+  kind.foreseen = @(scene, model) {};
+  kind.describe = @describe_surface;
+  kind.warnings = @(scene, run) [pull_warning(run.history, scene), strain_warning(run.history.largest_strain)];
+  kind.columns = @surface_columns;
+  kind.drawing = @(scene, run) surface_drawing (run.model, scene, run.history);
+endfunction
+
+function [rung, note] = stated_rung (scene)
+  rung = [];
+  note = "";
+  if (isnumeric (scene.model.modes))
+    rung = scene.model.modes;
+  endif
+endfunction
+
+## a trial asks less of the energy balance than a run
+function solver = tighter (solver, off)
+  if (isfield (solver, "balance"))
+    solver = rmfield (solver, "balance");
+  else
+    solver.balance = 1e-10;
+  endif
+endfunction
+
+function run = observe_surface (scene, model, system, times, states)
+  run.history = measure_surface (system, scene, times, states);
+  refuse_self_contact (run.history, scene);
+  [run.x, run.y, run.z] = deal (run.history.x, run.history.y, run.history.z);
+endfunction
+
+function own = describe_surface (scene, run)
+  history = run.history;
+  numbers = run.model.numbers;
+  own.model = sprintf ("%d + %d base functions on the surface %s", numbers.modes + numbers.sines, scene.surface.name);
+  own.surface = scene.surface;
+  own.modes = numbers.modes;
+  own.sines = numbers.sines;
+  own.ends = scene.ends;
+  own.angular_momentum_change = max (abs (history.angular_momentum - history.angular_momentum(:,1)), [], 2).';
+  own.largest_strain = history.largest_strain;
+  own.reaction = [min(history.reaction(:)), max(history.reaction(:))];
+  last = cumsum (numbers.modes + numbers.sines);
+  own.largest_end_coefficient = max (abs (history.q(last,:))(:))/scene.rod.length;
+endfunction
+
+function warnings = pull_warning (history, scene)
+  warnings = {};
+  push = scene.surface.side*history.reaction;
+  [least, k] = min (min (push, [], 1));
+  if (least < -1e-6*max (abs (push(:))))
+    first = find (min (push, [], 1) < -1e-6*max (abs (push(:))), 1);
+    warnings = {sprintf(["the surface would have to pull the rod from t = %.4g s on, by up to %.3g N/m at" ...
+                         " t = %.4g s: a rod on one side would lift off there; surface.side = 0 has a rod" ...
+                         " that cannot"], history.t(first), -least, history.t(k))};
+  endif
+endfunction
+
+function warnings = strain_warning (strain)
+  warnings = {};
+  if (strain > 0.05)
+    warnings = {sprintf("the axial strain reaches %.2g, linear elasticity holds for small ones: take a larger EA", ...
+                        strain)};
+  endif
+endfunction
+
+%!test # by the driver's name, without files
+%! scene = setfield (large_swing (), "duration", 0.1);
+%! result = driver (scene, "output", "", "modes", [5 5]);
+%! assert (numel (result.history.t), 6);
+%! assert (result.summary.largest_energy_error < 1e-7);
+%!error <speed is not a field of a scene on a surface> driver (setfield (large_swing (), "speed", 1), "output", "")
+%!test # a rod flung over a hill would lift off
+%! scene = struct ("surface", struct ("name", "sphere", "radius", 1, "side", -1), "duration", 0.02, ...
+%!                 "rod", struct ("length", 0.1, "EA", 3e3, "EI", 0.1, "EI_normal", 0, "rhoA", 1.5), ...
+%!                 "model", struct ("modes", [4 4]));
+%! scene.initial.velocity = @(xi, alpha) [0.2 + 0*xi; 0*xi];
+%! result = driver (scene, "output", "");
+%! assert (! isempty (strfind (result.summary.warnings{1}, "would have to pull the rod from t = 0 s on")));
+%! assert (driver (setfield (scene, "surface", "side", 1), "output", "").summary.warnings, {});
