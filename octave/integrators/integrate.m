@@ -2,7 +2,8 @@
 ## @deftypefn {} {[@var{states}, @var{count}] =} integrate (@var{system}, @var{times}, @var{solver})
 ## The states (a column a time) of a system of any kind at the @var{times} (1-by-m, s, from the start of the motion), by
 ## the method @var{solver}.name of @code{integrator_table} with @var{solver}.tolerance (m), or with steps of
-## @var{solver}.step (s) where the method's steps are equal; "auto" is system.auto.
+## @var{solver}.step (s) where the method's steps are equal; "auto" is system.auto.  What takes longer than
+## @var{solver}.seconds, where there is such a field, is given up: an error.
 ##
 ## A system has initial_state, breaks (times in s at which its loads jump), state_scale (what each state may be off by
 ## where a point is off by 1 m), mass, the forms of equations (a cellstr) and for each form its functions.
@@ -16,8 +17,12 @@ function [states, count] = integrate (system, times, solver)
   method = method_of (system, solver.name);
   tolerance = solver.tolerance;
   solver.tolerance /= method.share;
+  limit = Inf;
+  if (isfield (solver, "seconds"))
+    limit = solver.seconds;
+  endif
   clock = tic ();
-  [calls, shown] = deal (0);
+  calls = shown = 0;
   system.calls = @calls_so_far;
   [times, ends] = meet_breaks (times, system.breaks);
   y = system.initial_state;
@@ -40,6 +45,9 @@ function [states, count] = integrate (system, times, solver)
   ## values that the system has at the times t pass, and are counted; on a terminal it shows how far it has come
   function value = counted (t, value)
     calls += columns (value);
+    if (toc (clock) > limit)
+      error ("toolchain:integration", "given up after %.0f s\n", limit);
+    endif
     if (calls >= shown + 50)
       shown = calls;
       show_integration (t(end), times(end), calls, clock);
@@ -68,6 +76,8 @@ endfunction
 %! [states, count] = integrate (pushed_mass (), [0 0.7 1.3 2], struct ("name", "ode45", "tolerance", 1e-6));
 %! assert (states(1,:), [0, 0.7^2/2, 0.5 + 0.3, 1.5], 1e-12);
 %! assert (count.calls > 20); assert (count.method, "ode45");
+%!error <given up after 0 s>
+%! integrate (pushed_mass (), [0 1], struct ("name", "ode45", "tolerance", 1e-6, "seconds", 0));
 %!test # the largest error of all frames is near the tolerance or below it
 %! scene = check_scene (setfield (setfield (paper (), "model", "modes", [0 1]), "duration", 0.6));
 %! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));

@@ -40,6 +40,16 @@
 ## [names, table] of history.csv: names with units, a row a name
 ## @item drawing (scene, run)
 ## what @code{draw_pictures} takes
+## @item rungs (scene, chosen, richer)
+## rungs around a chosen one, a cell array, up to a richer one
+## @item exact (scene)
+## [run, converged]: the geometrically exact rod, where it can be had, else empty and false (see @code{exact_runs})
+## @item literal (scene)
+## the rung of the paper's sines, 7 + 7, or empty
+## @item sized (scene, n)
+## the rung of so many modes or polynomials of each sort, empty where there is none
+## @item references
+## two methods and tolerances (m) that should agree: rows of a cell array
 ## @end table
 ## @end deftypefn
 

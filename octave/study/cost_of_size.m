@@ -1,20 +1,37 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{rows} =} cost_of_size (@var{sizes})
-## Seconds of integration per simulated second on the paper's scene with @var{sizes} longitudinal and as many bending
-## sines, by `waveform' at 1e-6 m over the first 0.4 s: rows of [N, seconds, calls], medians of three runs.
+## @deftypefn {} {@var{rows} =} cost_of_size (@var{kind}, @var{scene}, @var{sizes})
+## Seconds of integration per simulated second of a checked scene of a @var{kind} (see @code{kind_of}) with so many modes
+## of each sort (see sized there), by its own solver over the first quarter of the duration: rows of [n, seconds, calls],
+## medians of three runs.  Sizes that the kind has not, and those after one that took 20 s, are left out.
 ## @end deftypefn
 
-function rows = cost_of_size (sizes)
+function rows = cost_of_size (kind, scene, sizes)
   rows = zeros (0, 3);
-  for N = sizes
-    scene = check_scene (setfield (setfield (load_scene ("paper"), "model", "modes", [N N]), "duration", 0.4));
-    system = rod_system (scene, build_model (scene, rung_of_scene (scene)));
-    for run = 1:3
-      [~, count] = integrate (system, frame_times (scene), struct ("name", "waveform", "tolerance", 1e-6));
-      seconds(run) = count.seconds/scene.duration;
-    endfor
-    rows(end+1,:) = [N, median(seconds), count.calls/scene.duration];
+  times = frame_times (scene);
+  times = times(1:ceil (end/4)+1);
+  solver = setfield (scene.solver, "name", "auto");
+  for n = sizes
+    rung = kind.sized (scene, n);
+    if (isempty (rung))
+      continue;
+    endif
+    system = kind.system (scene, kind.build (scene, rung));
+    seconds = [];
+    do
+      [~, count] = integrate (system, times, solver);
+      seconds(end+1) = count.seconds/times(end);
+    until (numel (seconds) == 3 || count.seconds > 5)
+    rows(end+1,:) = [n, median(seconds), count.calls/times(end)];
+    if (count.seconds > 20)
+      break;
+    endif
   endfor
 endfunction
 
-%!assert (size (cost_of_size ([1 2])), [2 3])
+%!test
+%! scene = check_scene (setfield (paper (), "duration", 0.1));
+%! rows = cost_of_size (rod_kind (), scene, [1 2]);
+%! assert (rows(:,1), [1; 2]); assert (size (rows), [2 3]);
+%!test # fewer than four polynomials lock
+%! scene = check_surface_scene (setfield (large_swing (), "duration", 0.04));
+%! assert (cost_of_size (surface_kind (), scene, [2 4])(:,1), 4);

@@ -7,7 +7,7 @@
 function job = draw_ladder (table, scene, scratch)
   drawn = spaced_labels (table(isfinite ([table.error_m]) & [table.error_m] > 0));
   ode45 = strcmp ({drawn.method}, "ode45");
-  shortened = strcmp ({drawn.stiffening}, "foreshortening") & ! ode45;
+  shortened = [drawn.shortened] & ! ode45;
   selected = struct ("without", ! shortened & ! ode45, "shortened", shortened, "ode45", ode45, ...
                      "chosen", [drawn.chosen]);
   settings = struct ("title", ["Ladder of models: " scene.title], "tolerance", scene.solver.tolerance);
@@ -33,7 +33,7 @@ endfunction
 %! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
 %! unwind_protect
 %!   row = struct ("method", "exponential", "error_m", 1e-3, "seconds", 2, "label", "3", ...
-%!                 "stiffening", "foreshortening", "chosen", true);
+%!                 "shortened", true, "chosen", true);
 %!   scene = struct ("title", "it's a \"rod\" {1}", "solver", struct ("tolerance", 1e-2));
 %!   draw = {@(scratch) draw_ladder(row, scene, scratch)};
 %!   assert (draw_files (folder, draw, {"models.svg", "models.png"}), cell (0, 2));

@@ -1,25 +1,18 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{table} =} model_ladder (@var{scene}, @var{option}, @var{value}, @dots{})
-## The ladder of models of a scene, error against cost: each rung's centreline against that of the geometrically exact
-## rod (see @code{exact_rod}), or, where that has not what the scene has, takes too long or has not converged
-## (with 9 polynomials it is more than a fifth of the tolerance away), of 30 bending + 30 longitudinal modes with
-## foreshortening; the error of the exact rod itself is its distance from these.  Arguments as for @code{driver}.
+## The ladder of models of a scene, error against cost: the points of each rung around the one that @code{choose} takes
+## against those of a far richer model, or of the geometrically exact rod where that can be had (see @code{exact_runs});
+## its own error is its distance from the far richer model.  Arguments as for @code{driver}; modes are chosen.
 ##
 ## Leaves models.csv, models.svg and models.png in the folder of the scene's output.  @var{table} is a struct array of
-## model, method, error_m, seconds, calls, label (in the chart), stiffening, chosen and extrapolated.  The rungs are
-## integrated as `auto' would, the chosen one by `ode45' too, and so are the paper's 7 + 7 sines, as they are: where
-## that would take more than 4 million calls, the seconds are extrapolated from a part of the duration, and there is no
-## error. Mechanisms and curved rods have a ladder of numbers of modes, see @code{convergence_ladder}.
+## model, method, error_m, seconds, calls, label (in the chart), shortened, chosen and extrapolated.  The rungs are
+## integrated as `auto' would; the chosen one, and the paper's 7 + 7 sines, by `ode45' too, where that is a method for the
+## scene: what would take more than 20 s is extrapolated from a part of the duration, with its error there.
 ## @end deftypefn
 
 function table = model_ladder (scene = "paper", varargin)
-  [scene, name] = load_scene (scene);
-  [scene, output] = take_options (scene, fullfile ("output", name), varargin);
-  ladder = @ladder_of_rungs;
-  if (isfield (scene, "bodies") || (isfield (scene, "rod") && isfield (scene.rod, "curvature")))
-    ladder = @convergence_ladder;
-  endif
-  [found, scene] = ladder (scene, output.folder);
+  [scene, kind, output] = study_scene (scene, [varargin, {"modes", "auto"}]);
+  found = measure_all (kind, scene);
   publish_study (output, {"models.csv"}, {"models.svg", "models.png"}, @(aside) write_ladder (found, aside), ...
                  @(scratch) draw_ladder (found, scene, scratch));
   if (nargout > 0)
@@ -27,93 +20,52 @@ function table = model_ladder (scene = "paper", varargin)
   endif
 endfunction
 
-function [table, scene] = ladder_of_rungs (scene, folder)
-  scene = check_scene (scene);
-  require_folder (folder);
-  choice = choose (rod_ladder (scene), scene.solver.tolerance);
-  rich = struct ("sines", [], "bending", 30, "longitudinal", 30, "axial", "dynamic", "stiffening", "foreshortening");
-  richest = reference = trial_run (setfield (scene, "solver", "tolerance", scene.solver.tolerance/50), rich);
-  [exact, converged] = exact_runs (scene);
+function table = measure_all (kind, scene)
+  ladder = ladder_of (kind, scene);
+  choice = choose (ladder, scene.solver.tolerance);
+  rich = kind.far_richer (scene, choice.trial.model);
+  fine = setfield (scene, "solver", "tolerance", scene.solver.tolerance/20);
+  richest = reference = run_model (kind, fine, kind.build (fine, rich), setfield (fine.solver, "name", "auto"));
+  [exact, converged] = kind.exact (scene);
   if (converged)
     reference = exact;
   endif
-
   table = struct ([]);
-  chosen = choice.trial.rung;
-  for rung = ladder_rungs (chosen, choice.reference.rung)
-    trial = trial_run (scene, rung{1});
-    table = add (table, row_of (trial.rung, trial.count, distance (trial, reference), chosen));
+  for rung = kind.rungs (scene, choice.rung, choice.reference.rung)
+    trial = try_rung (ladder, rung{1});
+    table = [table, rung_row(ladder, rung{1}, trial.count, distance (trial, reference), choice.rung)];
   endfor
-  sines = struct ("sines", [7 7], "bending", 7, "longitudinal", 7, ...
-                  "axial", "dynamic", "stiffening", chosen.stiffening);
-  for rung = {chosen, sines}
-    table = add (table, run_ode45 (scene, rung{1}, reference, chosen));
+  for rung = by_ode45 (kind, scene, choice)
+    table = [table, ode45_row(kind, scene, ladder, rung{1}, reference, choice.rung)];
   endfor
-  table = add (table, row_of (rich, richest.count, distance (richest, reference), chosen));
+  table = [table, rung_row(ladder, rich, richest.count, distance (richest, reference), choice.rung)];
   if (! isempty (exact))
-    row = row_of (chosen, exact.count, distance (exact, richest), []);
-    [row.model, row.label] = deal ("geometrically exact, 12 + 12 polynomials", "exact");
-    table = add (table, row);
+    row = rung_row (ladder, choice.rung, exact.count, distance (exact, richest), []);
+    [row.model, row.label] = deal (exact.name, "exact");
+    table = [table, row];
   endif
 endfunction
 
-## with 12 + 12 polynomials, and whether 9 + 9 are near it
-function [exact, converged] = exact_runs (scene)
-  [exact, converged] = deal ([], false);
-  try
-    exact = exact_rod (scene, 12);
-    if (! isempty (exact))
-      off = distance (exact, exact_rod (scene, 9));
-      converged = off <= scene.solver.tolerance/5;
-      printf ("  the exact rod with 9 + 9 and with 12 + 12 polynomials: %.2g m apart\n", off);
+function rungs = by_ode45 (kind, scene, choice)
+  rungs = {};
+  if (ismember ("rate", kind.system (scene, choice.trial.model).forms))
+    rungs = {choice.rung};
+    if (! isempty (kind.literal (scene)))
+      rungs{2} = kind.literal (scene);
     endif
-  catch err
-    if (! strcmp (err.identifier, "toolchain:integration"))
-      rethrow (err);
-    endif
-    printf ("  the exact rod is no reference: %s\n", strtrim (err.message));
-  end_try_catch
-endfunction
-
-function row = run_ode45 (scene, rung, reference, chosen)
-  model = build_model (scene, rung);
-  system = rod_system (scene, model);
-  times = frame_times (scene);
-  expected = 0;
-  if (! system.turned)
-    expected = 2*highest_frequency (system)*times(end);  # 6 calls a step of 3/omega, the limit of stability
-  endif
-  extrapolated = expected > 4e6;
-  if (extrapolated)
-    times = times(end)*[0, min(1, 2e5/expected)];
-  endif
-  tolerance = scene.solver.tolerance/(1 + 3*system.turned);
-  [states, count] = integrate (system, times, struct ("name", "ode45", "tolerance", tolerance));
-  if (extrapolated)
-    factor = scene.duration/times(end);
-    [count.seconds, count.calls] = deal (count.seconds*factor, round (count.calls*factor));
-    row = setfield (row_of (rung, count, NaN, chosen), "extrapolated", true);
-  else
-    [moved.x, moved.y] = centreline (model, linspace (0, model.length, 21), measure (system, model, times, states), 1);
-    row = row_of (rung, count, distance (moved, reference), chosen);
   endif
 endfunction
 
-function row = row_of (rung, count, error_m, chosen)
-  row = struct ("model", rung_name (rung), "method", count.method, "error_m", error_m, "seconds", count.seconds, ...
-                "calls", count.calls, "label", rung_label (rung), "stiffening", rung.stiffening, ...
-                "chosen", isequal (rung, chosen), "extrapolated", false);
+function row = ode45_row (kind, scene, ladder, rung, reference, chosen)
+  table = integrator_table ({"rate"});
+  ode45 = table(strcmp ({table.name}, "ode45"));
+  point = precision_point (kind, scene, kind.build (scene, rung), ode45, scene.solver.tolerance, reference, 20);
+  point.method = "ode45";
+  row = rung_row (ladder, rung, point, point.error_m, chosen);
+  row.extrapolated = point.extrapolated;
 endfunction
 
-function table = add (table, row)
-  table = [table, row];
-  printf ("  %-62s %-11s %8.2g m %8.2f s %8d calls%s\n", row.model, row.method, row.error_m, row.seconds, ...
-          row.calls, {"", " <-"}{1 + row.chosen});
-endfunction
-
-%!error <cannot be made|can be written> model_ladder ("paper", "output", "/proc/nowhere")
 %!error <cannot be made|can be written> model_ladder ("chain(20)", "output", "/proc/nowhere")
-%!error <cannot be made|can be written> model_ladder ("hook", "output", "/proc/nowhere")
 %!test # a rigid rod is enough, and the table has it
 %! folder = tempname (); confirm_recursive_rmdir (false, "local");
 %! unwind_protect
@@ -126,3 +78,18 @@ endfunction
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");
 %! end_unwind_protect
+%!test # of every other kind, too: more modes, a smaller error
+%! scenes = {setfield(setfield (arc_pendulum (), "duration", 0.05), "solver", "tolerance", 1e-4), ...
+%!           setfield(setfield (chain (1), "duration", 0.01), "solver", "tolerance", 1e-4), ...
+%!           setfield(setfield (large_swing (), "duration", 0.02), "solver", "tolerance", 1e-3)};
+%! for scene = scenes
+%!   folder = tempname (); confirm_recursive_rmdir (false, "local");
+%!   unwind_protect
+%!     evalc ("table = model_ladder (scene{1}, 'output', folder, 'pictures', false);");
+%!     assert (sum ([table.chosen] & ! strcmp ({table.method}, "ode45")), 1);
+%!     assert (table(1).error_m >= table([table.chosen])(1).error_m);
+%!     assert (exist (fullfile (folder, "models.csv"), "file"), 2);
+%!   unwind_protect_cleanup
+%!     rmdir (folder, "s");
+%!   end_unwind_protect
+%! endfor

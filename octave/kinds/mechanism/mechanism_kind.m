@@ -23,15 +23,35 @@ function kind = mechanism_kind ()
   kind.warnings = @large_deflections;
   kind.columns = @mechanism_columns;
   kind.drawing = @(scene, run) mechanism_drawing (scene, run.model, run.history);
+  kind.rungs = @rungs_around;
+  kind.exact = @(scene) deal ([], false);
+  kind.literal = @(scene) [];
+  kind.sized = @(scene, n) same_for_all (scene, n, n);
+  kind.references = {"radau", 1e-12; "ode15i", 1e-9};
 endfunction
 
 function [rung, note] = stated_rung (scene)
   rung = [];
   note = "";
   if (! any (arrayfun (@(body) ischar (body.model.modes), scene.bodies)))
-    rung.bending = rung.longitudinal = zeros (1, numel (scene.bodies));  # bodies have what they state
+    rung = same_for_all (scene, 0, 0);  # bodies have what they state
     note = stiffening_of_bodies (scene);
   endif
+endfunction
+
+function rung = same_for_all (scene, bending, longitudinal)
+  each = ones (1, numel (scene.bodies));
+  rung = struct ("bending", bending*each, "longitudinal", longitudinal*each);
+endfunction
+
+function rungs = rungs_around (scene, chosen, richer)
+  rungs = {};
+  for n = [0 1 2 3 5 8](1:sum ([0 1 2 3 5 8] < max (richer.bending)))
+    rungs{end+1} = same_for_all (scene, n, 0);
+  endfor
+  rungs = [rungs, {chosen}, {richer}];
+  again = find (cellfun (@(rung) isequal (rung, chosen), rungs))(2:end);
+  rungs(again) = [];
 endfunction
 
 function rung = far_richer_rung (scene, mechanism)

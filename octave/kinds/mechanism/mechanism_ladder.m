@@ -22,6 +22,7 @@ function ladder = mechanism_ladder (scene)
   ladder.left_out = @(reference, rung, part) left_out_of (reference, rung, part, open);
   ladder.poorer = @(rung, reference) clearly_fewer ([rung.bending, rung.longitudinal], ...
                                                     [reference.bending, reference.longitudinal]);
+  ladder.label = @(rung) sprintf ("%d+%d", max (rung.longitudinal), max (rung.bending));
   ladder.solver = setfield (scene.solver, "name", "auto");
   ladder.name = @name_of;
 endfunction

@@ -15,17 +15,9 @@ function ladder = curved_ladder (scene)
   ladder.smaller = @(rung, part) curved_rung (max (rung.sines - ((1:2) == part), least));
   ladder.left_out = @(reference, rung, part) left_out (reference.model, reference.history.V, part, rung.sines(part));
   ladder.poorer = @(rung, reference) clearly_fewer (rung.sines, reference.sines);
+  ladder.label = @(rung) sprintf ("%d+%d", rung.sines);
   ladder.solver = setfield (setfield (scene.solver, "name", "auto"), "tolerance", scene.solver.tolerance/5);
   ladder.name = @(rung) strrep (rung_name (rung), "sines", "base functions");
-endfunction
-
-function rung = curved_rung (numbers)
-  axial = "none";
-  if (numbers(1) > 0)
-    axial = "dynamic";
-  endif
-  rung = struct ("sines", numbers, "bending", numbers(2), "longitudinal", numbers(1), "axial", axial, ...
-                 "stiffening", "none");
 endfunction
 
 %!test

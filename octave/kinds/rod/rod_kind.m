@@ -23,6 +23,11 @@ function kind = rod_kind ()
   kind.columns = @rod_columns;
   kind.drawing = @(scene, run) setfield (rod_drawing (scene, run.model, run.history), "spectrum", ...
                                          tip_spectrum (scene, run.model));
+  kind.rungs = @rungs_around;
+  kind.exact = @exact_runs;
+  kind.literal = @paper_sines;
+  kind.sized = @(scene, n) rung_of_scene (setfield (scene, "model", "modes", [n n]));
+  kind.references = {"waveform", 1e-10; "exponential", 2e-11};
 endfunction
 
 function [rung, note] = stated_rung (scene)
@@ -53,6 +58,21 @@ endfunction
 function run = observe_rod (scene, model, system, times, states)
   run.history = measure (system, model, times, states);
   [run.x, run.y] = centreline (model, linspace (0, model.length, 21), run.history, 1);
+endfunction
+
+function rungs = rungs_around (scene, chosen, richer)
+  if (isempty (scene.rod.curvature))
+    rungs = ladder_rungs (chosen, richer);
+  else
+    rungs = curved_rungs (chosen, richer);
+  endif
+endfunction
+
+function rung = paper_sines (scene)
+  rung = [];
+  if (isempty (scene.rod.curvature))
+    rung = rung_of_scene (setfield (scene, "model", "modes", [7 7]));
+  endif
 endfunction
 
 function own = describe_rod (scene, run)

@@ -14,6 +14,7 @@ function ladder = rod_ladder (scene)
   ladder.left_out = @left_out_of;
   ladder.poorer = @(rung, reference) clearly_fewer ([rung.bending, rung.longitudinal], ...
                                                     [reference.bending, reference.longitudinal]);
+  ladder.label = @rung_label;
   ladder.solver = setfield (setfield (scene.solver, "name", "auto"), "tolerance", scene.solver.tolerance/5);
   ladder.name = @rung_name;
 endfunction

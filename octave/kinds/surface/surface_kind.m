@@ -22,6 +22,11 @@ function kind = surface_kind ()
   kind.warnings = @(scene, run) [pull_warning(run.history, scene), strain_warning(run.history.largest_strain)];
   kind.columns = @surface_columns;
   kind.drawing = @(scene, run) surface_drawing (run.model, scene, run.history);
+  kind.rungs = @rungs_around;
+  kind.exact = @(scene) deal ([], false);
+  kind.literal = @(scene) [];
+  kind.sized = @(scene, n) [n n](1:2*(n >= 4 && n <= 32));
+  kind.references = {"gauss", 1e-9; "lsode_bdf", 1e-8};
 endfunction
 
 function [rung, note] = stated_rung (scene)
@@ -45,6 +50,11 @@ function run = observe_surface (scene, model, system, times, states)
   run.history = measure_surface (system, scene, times, states);
   refuse_self_contact (run.history, scene);
   [run.x, run.y, run.z] = deal (run.history.x, run.history.y, run.history.z);
+endfunction
+
+function rungs = rungs_around (scene, chosen, richer)
+  numbers = unique ([5 6 7 8 10 12 chosen(1) richer(1)]);  # fewer lock
+  rungs = arrayfun (@(n) [n n], numbers(numbers <= richer(1)), "uniformoutput", false);
 endfunction
 
 function own = describe_surface (scene, run)

@@ -13,6 +13,7 @@ function ladder = surface_ladder (scene)
   ladder.smaller = @(rung, part) max (rung - 1, 4);
   ladder.left_out = @(reference, rung, part) left_out_of (reference, rung);
   ladder.poorer = @clearly_fewer;
+  ladder.label = @(rung) sprintf ("%d", rung(1));
   ladder.solver = setfield (setfield (scene.solver, "name", "auto"), "balance", Inf);
   ladder.name = @(rung) sprintf ("%d + %d polynomials", rung);
 endfunction

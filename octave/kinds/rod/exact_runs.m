@@ -1,0 +1,33 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{run}, @var{converged}] =} exact_runs (@var{scene})
+## The geometrically exact rod of a checked scene (see @code{exact_rod}) with 12 + 12 polynomials, with a name, and whether
+## it has converged: 9 + 9 polynomials are within a fifth of the tolerance of it.  Empty and false where it has not what
+## the scene has, or takes too long, which is said.
+## @end deftypefn
+
+function [run, converged] = exact_runs (scene)
+  run = [];
+  converged = false;
+  if (! isempty (scene.rod.curvature))
+    return;
+  endif
+  try
+    run = exact_rod (scene, 12);
+    if (! isempty (run))
+      run.name = "geometrically exact, 12 + 12 polynomials";
+      off = distance (run, exact_rod (scene, 9));
+      converged = off <= scene.solver.tolerance/5;
+      printf ("  the exact rod with 9 + 9 and with 12 + 12 polynomials: %.2g m apart\n", off);
+    endif
+  catch err
+    if (! strcmp (err.identifier, "toolchain:integration"))
+      rethrow (err);
+    endif
+    printf ("  the exact rod is no reference: %s\n", strtrim (err.message));
+  end_try_catch
+endfunction
+
+%!test # none of a curved rod, and of a rod in a hub
+%! [run, converged] = exact_runs (check_scene (hook ()));
+%! assert (run, []); assert (! converged);
+%! assert (exact_runs (check_scene (spin_up ())), []);

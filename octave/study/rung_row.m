@@ -1,0 +1,28 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{row} =} rung_row (@var{ladder}, @var{rung}, @var{count}, @var{error_m}, @var{chosen})
+## A row of the table of @code{model_ladder}, which is printed: the @var{rung} of a @var{ladder} (see @code{ladder_of})
+## that took what the @var{count} of @code{integrate} says and is off by @var{error_m} (m), where @var{chosen} is the rung
+## that is taken.
+## @end deftypefn
+
+function row = rung_row (ladder, rung, count, error_m, chosen)
+  row = struct ("model", ladder.name (rung), "method", count.method, "error_m", error_m, "seconds", count.seconds, ...
+                "calls", count.calls, "label", ladder.label (rung), "shortened", false, ...
+                "chosen", isequal (rung, chosen), "extrapolated", false);
+  if (isfield (rung, "stiffening"))
+    row.shortened = strcmp (rung.stiffening, "foreshortening");
+  endif
+  mark = "";
+  if (row.chosen)
+    mark = " <-";
+  endif
+  printf ("  %-62s %-11s %8.2g m %8.2f s %8d calls%s\n", row.model, row.method, row.error_m, row.seconds, ...
+          row.calls, mark);
+  fflush (stdout);
+endfunction
+
+%!test
+%! ladder = struct ("name", @(rung) "one", "label", @(rung) "1");
+%! count = struct ("method", "rk4", "seconds", 2, "calls", 8);
+%! said = evalc ("row = rung_row (ladder, 3, count, 1e-3, 3);");
+%! assert (row.chosen && ! row.shortened); assert (said(end-3:end), " <-\n");
