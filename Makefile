@@ -11,14 +11,15 @@ override SCENE := $(value SCENE)
 override OUTPUT := $(value OUTPUT)
 override SURFACE := $(value SURFACE)
 override GENERATED := $(value GENERATED)
-export SCENE MODES SOLVER TOLERANCE SIZE OUTPUT PICTURES OCTAVE SURFACE GENERATED
+export SCENE MODES SOLVER TOLERANCE SIZE OUTPUT PICTURES OCTAVE SURFACE GENERATED FUNCTION ARGUMENT
 unexport POSIXLY_CORRECT CDPATH
 run_octave = $(OCTAVE) --norc --no-gui --no-history --quiet
 derive_everything = maxima/derive "$$GENERATED" "$(MODES_LITERAL)"
 derive_surface = maxima/derive_surface "$${OUTPUT:-output/surfaces}" "$$SURFACE"
+draw_or_follow = $(if $(FUNCTION),argument_way (getenv ("FUNCTION"), getenv ("ARGUMENT")),draw_map ())
 
-.PHONY: help setup derive equations simulate models chart stability choices surfaces conditioning check systems pairs \
-	mutants fuzz clean dist
+.PHONY: help setup derive equations simulate models chart stability choices surfaces conditioning check map systems \
+	pairs mutants fuzz clean dist
 
 help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
@@ -34,6 +35,8 @@ help:
 	@echo 'make choices     all scenes that choose and 60 random ones: chosen models against far richer ones'
 	@echo 'make surfaces    convergence in modes of the scenes on surfaces: table and chart'
 	@echo 'make conditioning    condition number of the mass matrix of arcs against the number of base functions: table'
+	@echo 'make map         the folders of octave/ and the calls between them: output/map.svg, .png' \
+		'[FUNCTION=rod_rates ARGUMENT=phi: where that comes from]'
 	@echo 'make systems     setup, simulate and check in clean Debian 12, 13 and testing, as root' \
 		'[SYSTEMS="trixie" SUITES="rebuild awk" ROOTS=folder]'
 	@echo 'make pairs       all pairs of fields and their values: each runs, or is refused with a reason'
@@ -74,6 +77,9 @@ surfaces:
 
 check:
 	@tests/check
+
+map:
+	@$(run_octave) --eval 'source octave/toolchain_path.m; addpath tests/map; $(draw_or_follow);'
 
 systems:
 	@tests/systems/run
