@@ -76,34 +76,18 @@ function reached = by_ode15i (residual, times, y, y_dot, scale, algebraic)
   end_try_catch
 endfunction
 
-%!function system = pendulum ()   # a rigid rod of 1 m, let go from the horizontal
-%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 2), ...
-%!                         "model", struct ("modes", [0 0]))};
-%!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
-%!  scene.duration = 1;
-%!  scene = check_mechanism (scene);
-%!  system = mechanism_system (scene, build_mechanism (scene, mechanism_rungs (scene, 0)));
-%!endfunction
-%!function [phi, states] = turned (name, t, field = "tolerance", value = 1e-8)
-%!  system = pendulum ();
-%!  solver = struct ("name", name, "tolerance", 1e-8, "step", [], "rho_infinity", 0.9, "baumgarte", 50);
-%!  start = struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0);
-%!  states = integrate_constrained (system, t, start, setfield (solver, field, value));
-%!  phi = states.q(1,:);
-%!endfunction
-%!function phi = exact (t)   # by the elliptic function: phi_ddot = -3/2 g/l cos (phi) from rest at 0
-%!  omega = sqrt (1.5*9.81);
-%!  [sn, ~, ~] = ellipj (ellipke (0.5) - omega*t, 0.5);
-%!  phi = -pi/2 + 2*asin (sqrt (0.5)*sn);
-%!endfunction
-%!assert (turned ("daspk", [0 0.3 0.8])(2:3), exact ([0.3 0.8]), 1e-6)
+%!assert (swing_pendulum ("daspk", [0 0.3 0.8])(2:3), pendulum_angle ([0.3 0.8]), 1e-6)
 %!testif HAVE_SUNDIALS
-%! assert (turned ("ode15i", [0 0.3 0.8])(2:3), exact ([0.3 0.8]), 1e-6);
+%! assert (swing_pendulum ("ode15i", [0 0.3 0.8])(2:3), pendulum_angle ([0.3 0.8]), 1e-6);
+%!function t = until_lost (t)
+%!  if (t > 0.1)
+%!    error ("the load is lost");
+%!  endif
+%!endfunction
 %!function run_with_lost_load (name)   # from t = 0.1 s on
-%!  system = pendulum ();
+%!  [system, start] = sample_pendulum ();
 %!  at = system.at;
-%!  system.at = @(t, varargin) {at, @(varargin) error("the load is lost")}{1 + (t > 0.1)}(t, varargin{:});
-%!  start = struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0);
+%!  system.at = @(t, q, v) at (until_lost (t), q, v);
 %!  integrate_dae (name, system, [0 0.5 1], start, struct ("tolerance", 1e-8));
 %!endfunction
 %!error <the load is lost> run_with_lost_load ("daspk")

@@ -87,12 +87,6 @@ function z = moved (f, z, swap)
   z = f(:,1).*z + f(:,2).*z(swap);
 endfunction
 
-%!function system = driven_oscillators ()   # x'' + w^2 x = cos (t), w = 0, 3, 1000, from rest
-%!  w = [0; 3; 1000];
-%!  system = struct ("mass", eye (3), "stiffness_at", @(t, y) diag (w.^2), "state_scale", ones (7, 1), ...
-%!                   "longest_step", Inf, "velocity_matrix", eye (3), "initial_state", zeros (7, 1));
-%!  system.rate = @(t, y) [y(4:6); cos(t) - w.^2.*y(1:3); cos(t)];
-%!endfunction
 %!test # oscillations beyond the step are exact, the load is integrated to the tolerance
 %! system = driven_oscillators ();
 %! [states, steps] = integrate_exponential (system, [0 1 2.5 4], zeros (7, 1), struct ("tolerance", 1e-9));

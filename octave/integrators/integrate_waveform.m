@@ -96,12 +96,6 @@ function rule = panel_rule (m)
   rule.defect = inv (chebyshev)*diag ([zeros(1, m-1), 1])*chebyshev;
 endfunction
 
-%!function system = driven_oscillators ()   # x'' + w^2 x = cos (t), w = 0, 3, 1000, from rest
-%!  w = [0; 3; 1000];
-%!  system = struct ("mass", eye (3), "stiffness_at", @(t, y) diag (w.^2), "state_scale", ones (7, 1), ...
-%!                   "duration", 4, "velocity_matrix", eye (3), "initial_state", zeros (7, 1));
-%!  system.rate = @(t, y) [y(4:6,:); cos(t) - w.^2.*y(1:3,:); cos(t)];
-%!endfunction
 %!test # oscillations beyond the panels are exact, the load is integrated to the tolerance
 %! system = driven_oscillators ();
 %! [states, steps] = integrate_waveform (system, [0 1 2.5 4], zeros (7, 1), struct ("tolerance", 1e-9));

@@ -61,29 +61,9 @@ function [z, converged] = step (t, z, h, system)
   z = [next; v; z(2*n+1:2*n+2) + h*[power; middle.dissipated]; p];
 endfunction
 
-%!function system = pendulum ()   # a rigid rod of 1 m, let go from the horizontal
-%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 2), ...
-%!                         "model", struct ("modes", [0 0]))};
-%!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
-%!  scene.duration = 1;
-%!  scene = check_mechanism (scene);
-%!  system = mechanism_system (scene, build_mechanism (scene, mechanism_rungs (scene, 0)));
-%!endfunction
-%!function [phi, states] = turned (name, t, field = "tolerance", value = 1e-8)
-%!  system = pendulum ();
-%!  solver = struct ("name", name, "tolerance", 1e-8, "step", [], "rho_infinity", 0.9, "baumgarte", 50);
-%!  start = struct ("q", zeros (3, 1), "v", zeros (3, 1), "W", 0, "D", 0);
-%!  states = integrate_constrained (system, t, start, setfield (solver, field, value));
-%!  phi = states.q(1,:);
-%!endfunction
-%!function phi = exact (t)   # by the elliptic function: phi_ddot = -3/2 g/l cos (phi) from rest at 0
-%!  omega = sqrt (1.5*9.81);
-%!  [sn, ~, ~] = ellipj (ellipke (0.5) - omega*t, 0.5);
-%!  phi = -pi/2 + 2*asin (sqrt (0.5)*sn);
-%!endfunction
 %!test # no trend of the energy over 50 swings of coarse steps
-%! [~, states] = turned ("variational", 0:0.02:60, "step", 0.02);
-%! system = pendulum ();
+%! [~, states] = swing_pendulum ("variational", 0:0.02:60, "step", 0.02);
+%! system = sample_pendulum ();
 %! E = sum (mechanism_energies (system.mechanism, states.q, states.v), 1);
 %! half = floor (numel (E)/2);
 %! assert (abs (mean (E(1:half)) - mean (E(half+1:end))) < 0.1*(max (E) - min (E)));

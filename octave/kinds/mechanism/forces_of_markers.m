@@ -16,13 +16,8 @@ function forces = forces_of_markers (mechanism, at, F)
   endfor
 endfunction
 
-%!function [system, q, v, h] = any_state ()
-%!  [system, start] = sample_mechanism ([1 2]);
-%!  rand ("seed", 5);
-%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
-%!endfunction
 %!test # power of the generalized forces is that of the forces on the points
-%! [system, q, v] = any_state ();
+%! [system, q, v] = sample_state ();
 %! at = marker_motion (system.mechanism, q, v);
 %! F = struct ("x", rand (size (at.x)), "y", rand (size (at.x)), "angle", rand (size (at.x)));
 %! power = sum (F.x.*at.x_dot + F.y.*at.y_dot + F.angle.*at.angle_dot);

@@ -48,13 +48,8 @@ function values = values_at (functions, kind, t)
   endfor
 endfunction
 
-%!function [system, q, v, h] = any_state ()
-%!  [system, start] = sample_mechanism ([1 2]);
-%!  rand ("seed", 5);
-%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
-%!endfunction
 %!test # rates along a path
-%! [system, q, v, h] = any_state ();
+%! [system, q, v, h] = sample_state ();
 %! of = @(s) system.at (0.1 + s, q + s*v, v).constraints;
 %! [back, here, on] = deal (of (-h), of (0), of (h));
 %! assert ((on.residual - back.residual)/(2*h), here.velocity, 1e-7);

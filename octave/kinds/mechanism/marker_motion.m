@@ -45,13 +45,8 @@ function at = marker_motion (mechanism, q, v)
   endfor
 endfunction
 
-%!function [system, q, v, h] = any_state ()
-%!  [system, start] = sample_mechanism ([1 2]);
-%!  rand ("seed", 5);
-%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
-%!endfunction
 %!test # rates, convection and derivatives are those of the positions
-%! [system, q, v, h] = any_state ();
+%! [system, q, v, h] = sample_state ();
 %! at = @(q) marker_motion (system.mechanism, q, v);
 %! [back, here, on] = deal (at (q - h*v), at (q), at (q + h*v));
 %! assert ((on.x - back.x)/(2*h), here.x_dot, 1e-7);

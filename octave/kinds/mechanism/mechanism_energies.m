@@ -19,12 +19,7 @@ function E = mechanism_energies (mechanism, q, v)
   endfor
 endfunction
 
-%!function [system, q, v, h] = any_state ()
-%!  [system, start] = sample_mechanism ([1 2]);
-%!  rand ("seed", 5);
-%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
-%!endfunction
 %!test # a column a state
-%! [system, q, v] = any_state ();
+%! [system, q, v] = sample_state ();
 %! E = mechanism_energies (system.mechanism, [q, 2*q], [v, v]);
 %! assert (E(:,2), mechanism_energies (system.mechanism, 2*q, v), 1e-12);

@@ -66,13 +66,8 @@ function by = markers_by_coordinates (mechanism, at)
   endfor
 endfunction
 
-%!function [system, q, v, h] = any_state ()
-%!  [system, start] = sample_mechanism ([1 2]);
-%!  rand ("seed", 5);
-%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
-%!endfunction
 %!test # kinetic energy, and the constraints' rates
-%! [system, q, v] = any_state ();
+%! [system, q, v] = sample_state ();
 %! at = system.at (0, q, v);
 %! [mass, jacobian] = system.matrices (at);
 %! assert (v.'*mass*v/2, mechanism_energies (system.mechanism, q, v)(1), 1e-12);

@@ -82,12 +82,7 @@ function F = forces_on_markers (mechanism, at, lambda, tension)
   endfor
 endfunction
 
-%!function [system, q, v, h] = any_state ()
-%!  [system, start] = sample_mechanism ([1 2]);
-%!  rand ("seed", 5);
-%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
-%!endfunction
 %!test # several times at once
-%! [system, q, v] = any_state ();
+%! [system, q, v] = sample_state ();
 %! both = system.at ([0.1 0.2], [q, q], [v, -v]);
 %! assert (both.force(:,2), system.at (0.2, q, -v).force, 1e-10);

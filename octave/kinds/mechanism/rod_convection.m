@@ -17,12 +17,7 @@ function f = rod_convection (mechanism, q, v)
   endfor
 endfunction
 
-%!function [system, q, v, h] = any_state ()
-%!  [system, start] = sample_mechanism ([1 2]);
-%!  rand ("seed", 5);
-%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
-%!endfunction
 %!test # momenta along a path without accelerations
-%! [system, q, v, h] = any_state ();
+%! [system, q, v, h] = sample_state ();
 %! momentum = @(s) inertia_times (system.mechanism, rod_dynamics (system.mechanism, q + s*v, v), v);
 %! assert (rod_convection (system.mechanism, q, v), (momentum (h) - momentum (-h))/(2*h), 1e-6);

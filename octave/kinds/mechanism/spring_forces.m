@@ -15,19 +15,14 @@ function springs = spring_forces (mechanism, at)
   springs.dissipated = sum (dissipated, 1);
 endfunction
 
-%!function [system, q, v, h] = any_state ()
-%!  [system, start] = sample_mechanism ([1 2]);
-%!  rand ("seed", 5);
-%!  [q, v, h] = deal (start.q + 0.01*rand (system.n, 1), 3*rand (system.n, 1) - 1, 1e-6);
-%!endfunction
 %!test # forces are the energy's gradients, less the dampers'
-%! [system, q, v, h] = any_state ();
+%! [system, q, v, h] = sample_state ();
 %! of = @(s) spring_forces (system.mechanism, marker_motion (system.mechanism, q + s*v, v));
 %! at = system.at (0, q, v);
 %! power = (of (h).energy - of (-h).energy)/(2*h) + at.springs.dissipated;
 %! assert (system.spring_reaction (at, at.springs.tension).'*v, power, 1e-6);
 %!test # and their tangents
-%! [system, q, v, h] = any_state ();
+%! [system, q, v, h] = sample_state ();
 %! of = @(s, r) spring_forces (system.mechanism, marker_motion (system.mechanism, q + s*v, v*(1 + r))).tension;
 %! at = system.at (0, q, v);
 %! [~, ~, jacobian] = system.matrices (at);
