@@ -7,7 +7,7 @@
 ## 2010).  @var{system}.rate (t, y) takes many times at once, which is what makes it fast here.
 ##
 ## Panels shrink until polynomials of degree 6 would do, to the window's share of @var{solver}.tolerance, in units of
-## system.state_scale; of a window that is off by more, the first panels are kept that are not.  Windows have fewer
+## system.state_scale; of a window that is off by more, the first panels are taken that are not.  Windows have fewer
 ## panels where the relaxation converges slowly.  Panels that shrink to nothing are an error that says where.
 ## @var{steps}: the number of panels.
 ## @end deftypefn
@@ -19,70 +19,93 @@ function [states, steps] = integrate_waveform (system, times, y, solver)
   ## what only follows may be off by more
   scale = solver.tolerance*[system.state_scale(1:n); 100*system.state_scale(2*n+1:end)];
   states = repmat (y, 1, numel (times));
-  [t, last_time] = deal (times(1), times(end));
-  [h, most, steps, modal] = deal ((last_time - t)/100, 16, 0, []);
+  t = times(1);
+  last_time = times(end);
+  h = (last_time - t)/100;
+  most_panels = 16;
+  steps = 0;
+  modal = [];
   while (t < last_time)
     if (isempty (modal))
       modal = modal_form (system, system.stiffness_at (t, y));
       z = modal.form (y);
     endif
-    to_go = ceil ((last_time - t)/h*(1 - 1e-9));
-    panels = min (to_go, most);
-    if (panels == to_go)
+    panels_to_go = ceil ((last_time - t)/h*(1 - 1e-9));
+    panels = min (panels_to_go, most_panels);
+    if (panels == panels_to_go)
       h = (last_time - t)/panels;
     endif
     frames = frames_inside (times, t, h, panels);
     [panel, frames] = responses (modal, h, rule, frames, extra);
     window = solve_window (modal, t, z, h, panels, panel, scale);
     ratios = window.errors./max (h/system.duration*(1:panels), 0.1);
-    kept = 0;
+    taken = 0;
     if (window.converged)
-      kept = find ([true, ratios <= 1], 1, "last") - 1;
+      taken = find ([true, ratios <= 1], 1, "last") - 1;
     endif
-    if (kept > 0)
-      steps += kept;
-      states(:,frames.index(frames.panel <= kept)) = states_inside (modal, window, frames, kept);
-      t = [t + kept*h, last_time](1 + (kept == to_go));
-      y = modal.state (window.starts(:,kept+1));
+    if (taken > 0)
+      steps += taken;
+      states(:,frames.index(frames.panel <= taken)) = states_inside (modal, window, frames, taken);
+      t += taken*h;
+      if (taken == panels_to_go)
+        t = last_time;
+      endif
+      y = modal.state (window.starts(:,taken+1));
       modal = [];
     endif
-    if (! window.converged)
-      [most, h] = deal (ceil (panels/4), h/(1 + 3*(panels == 1)));
-    elseif (kept == panels)
-      most = min (most*(1 + (window.sweeps < 7)), 128);
-      h *= min (2, 0.9*max (ratios(end)*most/panels, realmin)^(-1/8));
-    else
-      h *= max (0.1, min (0.8, 0.9*ratios(end)^(-1/8)));
-    endif
-    if (! (h > 1e-12*last_time))
+    [h, most_panels] = next_window (h, most_panels, panels, taken, window, ratios(end));
+    if (! (h > 1e-12*last_time))  # or no number
       stop_integration ("waveform", system, t, last_time, h, "its panels shrank to nothing", ...
                         sprintf ("a larger tolerance than %.2g m", solver.tolerance));
     endif
   endwhile
 endfunction
 
+## length of the panels and how many there may be, after some of so many panels were taken; the ratio of the last
+## panel's error to what it may be
+function [h, most_panels] = next_window (h, most_panels, panels, taken, window, ratio)
+  if (! window.converged)
+    most_panels = ceil (panels/4);
+    if (panels == 1)
+      h /= 4;
+    endif
+  elseif (taken < panels)
+    h *= max (0.1, min (0.8, 0.9*ratio^(-1/8)));
+  else
+    if (window.sweeps < 7)
+      most_panels = min (2*most_panels, 128);
+    endif
+    h *= min (2, 0.9*max (ratio*most_panels/panels, realmin)^(-1/8));
+  endif
+endfunction
+
 ## index in the times, number of the panel and fraction of it
 function frames = frames_inside (times, t, h, panels)
   frames.index = find (times > t & times <= t + panels*h*(1 + 1e-12));
-  at = (times(frames.index) - t)/h;
-  frames.panel = max (ceil (at - 1e-9), 1);
-  frames.fraction = at - frames.panel + 1;
+  panels_from_t = (times(frames.index) - t)/h;
+  frames.panel = max (ceil (panels_from_t - 1e-9), 1);
+  frames.fraction = panels_from_t - frames.panel + 1;
 endfunction
 
 ## free and forced, at the nodes and at the frames
 function [panel, frames] = responses (modal, h, rule, frames, extra)
   [free, forced] = panel_response (modal, h, [rule.nodes(2:end), frames.fraction], rule.weights, extra);
-  at_nodes = columns (free)*(numel (rule.nodes) - 1);
-  panel = setfield (setfield (rule, "free", free(1:at_nodes,:)), "forced", forced(:,1:at_nodes));
-  [frames.free, frames.forced] = deal (free(at_nodes+1:end,:), forced(:,at_nodes+1:end));
+  of_nodes = columns (free)*(numel (rule.nodes) - 1);
+  panel = rule;
+  panel.free = free(1:of_nodes,:);
+  panel.forced = forced(:,1:of_nodes);
+  frames.free = free(of_nodes+1:end,:);
+  frames.forced = forced(:,of_nodes+1:end);
 endfunction
 
-function states = states_inside (modal, window, frames, kept)
+## at the frames in the panels that are taken
+function states = states_inside (modal, window, frames, taken)
   R = rows (window.starts);
-  states = zeros (R, sum (frames.panel <= kept));
+  states = zeros (R, sum (frames.panel <= taken));
   for i = 1:columns (states)
-    [here, k] = deal ((i - 1)*R + (1:R), frames.panel(i));
-    states(:,i) = frames.free(here,:)*window.starts(:,k) + frames.forced(:,here).'*window.remainders(:,k);
+    of_frame = (i - 1)*R + (1:R);
+    k = frames.panel(i);
+    states(:,i) = frames.free(of_frame,:)*window.starts(:,k) + frames.forced(:,of_frame).'*window.remainders(:,k);
   endfor
   states = modal.state (states);
 endfunction

@@ -9,56 +9,64 @@
 ## @end deftypefn
 
 function [free, forced] = panel_response (modal, h, x, weights, extra)
-  [n, m, k] = deal (modal.n, rows (weights), numel (x));
+  n = modal.n;
+  m = rows (weights);
+  k = numel (x);
   times_k = ones (k, 1);
-  [omega, damping] = deal (kron (times_k, modal.omega), kron (times_k, modal.damping));
-  [same, other, constant] = moved (modal, h, x, weights);
+  omega = kron (times_k, modal.omega);
+  damping = kron (times_k, modal.damping);
+  [same, other, constant] = responses (modal, h, x, weights);
   constant = kron (constant, ones (extra, 1));
 
   R = 2*n + extra;
   first_row = (0:k-1)*R;
   coordinate = ((1:n).' + first_row)(:);
-  rest = ((2*n+1:R).' + first_row)(:);
-  [of_coordinate, of_rest] = deal (kron (times_k, (1:n).'), kron (times_k, (2*n+1:R).'));
-  free = blocks (coordinate, of_coordinate, n, same(:,1), other(:,1), omega, damping, rest, of_rest, ...
+  follower = ((2*n+1:R).' + first_row)(:);
+  of_coordinate = kron (times_k, (1:n).');
+  of_follower = kron (times_k, (2*n+1:R).');
+  free = blocks (coordinate, of_coordinate, n, same(:,1), other(:,1), omega, damping, follower, of_follower, ...
                  ones (k*extra, 1), R*k, R);
   node = R*(0:m-1);
   forced = blocks (coordinate, of_coordinate + node, n, same(:,2:end), other(:,2:end), omega, damping, ...
-                   rest, of_rest + node, constant, R*k, R*m).';
+                   follower, of_follower + node, constant, R*k, R*m).';
 endfunction
 
-## what the first column, a state, and the others, unit loads at the nodes, become: same + other*A of the modes, and
-## what only follows the loads
-function [same, other, constant] = moved (modal, h, x, weights)
+## what a state, the first column, and unit loads at the nodes, the others, become: same + other*A of each mode, with
+## A = [0 1; -omega^2 -damping], n fractions below each other, and constant, what only follows the loads
+function [same, other, constant] = responses (modal, h, x, weights)
   [first, second] = oscillator_roots (modal.omega, modal.damping, h*ones (modal.n, 1));
-  f = by_root (h, [first; 0], x, weights);
+  f = of_roots (h, [first; 0], x, weights);  # the root 0: what only follows
   every = modal.n + 1;
   constant = real (f(every:every:end,2:end));
   f(every:every:end,:) = [];
+  ## a pair of complex roots: f (root) = same + other*root
   root = first(:,ones (1, numel (x)))(:);
   other = imag (f)./imag (root);
   same = real (f) - real (root).*other;
   real_ones = imag (first) == 0;
   if (any (real_ones))
     here = repmat (real_ones, numel (x), 1);
-    [slow, slow_f] = deal (root(here), real (f(here,:)));
+    slow = root(here);
+    slow_f = real (f(here,:));
     fast = repmat (second(real_ones), numel (x), 1);
-    fast_f = real (by_root (h, second(real_ones), x, weights));
+    fast_f = real (of_roots (h, second(real_ones), x, weights));
     same(here,:) = (fast_f.*slow - slow_f.*fast)./(slow - fast);
     other(here,:) = (slow_f - fast_f)./(slow - fast);
   endif
 endfunction
 
-function f = by_root (h, roots, x, weights)
+## exp (root*t) and its integrals over the loads, all roots of a fraction below each other
+function f = of_roots (h, roots, x, weights)
   f = [exp(h*roots*x)(:), h*panel_integrals(h*roots, x, rows (weights))*weights];
 endfunction
 
-## same + other*A for the modes, the constants for the rest
-function S = blocks (row, column, n, same, other, omega, damping, rest, of_rest, constant, height, width)
+## same + other*A for the modes, the constants for what follows
+function S = blocks (row, column, n, same, other, omega, damping, follower, of_follower, constant, height, width)
   every = ones (1, columns (column));
-  [row, rest] = deal (row(:,every), rest(:,every));
-  S = sparse ([row(:); row(:); row(:) + n; row(:) + n; rest(:)], ...
-              [column(:); column(:) + n; column(:); column(:) + n; of_rest(:)], ...
+  row = row(:,every);
+  follower = follower(:,every);
+  S = sparse ([row(:); row(:); row(:) + n; row(:) + n; follower(:)], ...
+              [column(:); column(:) + n; column(:); column(:) + n; of_follower(:)], ...
               [same(:); other(:); (-omega.^2.*other)(:); (same - damping.*other)(:); constant(:)], height, width);
 endfunction
 

@@ -19,25 +19,28 @@ function window = solve_window (modal, t, z, h, panels, panel, scale)
   inner = reshape (panel.nodes(1:end-1).' + (0:panels-1), 1, []);
   times = t + h*[inner, panels];
   of_panel = (1:m).' + (m - 1)*(0:panels-1);
-  sizes_of = @(z) max (sizes (modal, z)./scale, [], 1);
+  in_scales = @(z) max (sizes (modal, z)./scale, [], 1);
 
   remainder = modal.remainder (t, z)(:,ones (1, numel (times)));
-  [starts, window.converged, change, window.sweeps] = deal (Inf, false, Inf, 0);
+  starts = change = Inf;
+  window.sweeps = 0;
   do
-    if (window.sweeps++ > 0)
+    if (window.sweeps > 0)
       remainder = modal.remainder (times, states);
     endif
+    window.sweeps++;
     window.remainders = reshape (remainder(:,of_panel(:)), R*m, panels);
     forced = (window.remainders.'*panel.forced).';  # full times sparse: in this order it is fast
     window.starts = chained (panel.free(end-R+1:end,:), z, forced(end-R+1:end,:));
     states = [z, reshape((window.starts(:,1:end-1).'*panel.free.').' + forced, R, [])];
     last = change;
-    change = max (sizes_of (window.starts - starts));
+    change = max (in_scales (window.starts - starts));
     rate = max (change/last, 0.1);  # of convergence: the first changes shrink faster than the next ones
     window.converged = change < 1e-3 || (window.sweeps > 2 && change*rate <= 0.1*(1 - rate));
+    hopeless = window.sweeps > 15 || (window.sweeps > 3 && ! (change < 0.7*last));
     starts = window.starts;
-  until (window.converged || window.sweeps > 15 || ! (window.sweeps < 4 || change < 0.7*last))
-  window.errors = sizes_of (defects_of (modal, remainder(:,of_panel(:)), h, panels, panel.defect));
+  until (window.converged || hopeless)
+  window.errors = in_scales (defects_of (modal, remainder(:,of_panel(:)), h, panels, panel.defect));
 endfunction
 
 ## each panel begins where the last one ended, by doubling
@@ -53,12 +56,15 @@ endfunction
 
 ## m: what the coordinates are off by at the panels' ends, R-by-panels
 function z = defects_of (modal, remainders, h, panels, defect)
-  [R, n, m] = deal (rows (remainders), modal.n, rows (defect));
+  R = rows (remainders);
+  n = modal.n;
+  m = rows (defect);
   by_nodes = reshape (permute (reshape (remainders, R, m, panels), [1 3 2]), R*panels, m)*defect;
   z = h*cumsum (reshape (max (abs (by_nodes), [], 2), R, panels), 2);
   z(1:n,:) += z(n+1:2*n,:)./max (modal.omega, 1/(h*panels));
 endfunction
 
+## by how much coordinates and what follows them may move centreline points
 function metres = sizes (modal, z)
   n = modal.n;
   metres = [abs(modal.X)*abs(z(1:n,:)); abs(z(2*n+1:end,:))];

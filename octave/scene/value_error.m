@@ -11,37 +11,42 @@ function message = value_error (kind, value)
   endif
 endfunction
 
+## The first row whose pattern the kind has says what it takes.
 function good = is_of_kind (kind, value)
+  persistent table = {
+    '^text$',               @(x) ischar (x) && rows (x) <= 1
+    '^true or false$',      @(x) isscalar (x) && (islogical (x) || (is_number (x) && any (x == [0 1])))
+    '^struct array',        @(x) iscell (x) || isstruct (x)
+    '^vector',              @(x) is_real (x) && (isvector (x) || isempty (x)) && all (isfinite (x(:)))
+    '\[N1 N2\]',            @(x) is_pair (x, 0, 1000) && all (x(:) == fix (x(:)))
+    '\[W H\]',              @(x) is_pair (x, 320, 8192) && all (mod (x(:), 2) == 0)
+    '^number from 0 to 1$', @(x) is_number (x) && x >= 0 && x <= 1
+    'positive number',      @(x) is_number (x) && x > 0
+    'nonnegative number',   @(x) is_number (x) && x >= 0
+    'number',               @(x) is_number (x)
+    '.',                    @(x) false
+  };
   choices = regexp (kind, '"(\w+)"', "tokens");
-  choices = [choices{:}];
-  number = isnumeric (value) && isreal (value) && isscalar (value) && isfinite (value);
   if (ischar (value) && ! isempty (choices))
-    good = any (strcmp (value, choices));
-  elseif (strcmp (kind, "text"))
-    good = ischar (value) && rows (value) <= 1;
-  elseif (strcmp (kind, "true or false"))
-    good = isscalar (value) && (islogical (value) || (number && any (value == [0 1])));
+    good = any (strcmp (value, [choices{:}]));
   elseif (is_function_handle (value))
     good = ! isempty (strfind (kind, "function"));
-  elseif (strncmp (kind, "struct array", 12))
-    good = iscell (value) || isstruct (value);
-  elseif (strncmp (kind, "vector", 6))
-    good = isnumeric (value) && isreal (value) && (isvector (value) || isempty (value)) && all (isfinite (value(:)));
-  elseif (! isempty (strfind (kind, "[N1 N2]")))
-    good = isnumeric (value) && isreal (value) && numel (value) == 2 ...
-           && all (value(:) >= 0 & value(:) == fix (value(:))) && all (value(:) <= 1000);
-  elseif (! isempty (strfind (kind, "[W H]")))
-    good = isnumeric (value) && isreal (value) && numel (value) == 2 && all (value(:) >= 320 & value(:) <= 8192) ...
-           && all (mod (value(:), 2) == 0);
-  elseif (strcmp (kind, "number from 0 to 1"))
-    good = number && value >= 0 && value <= 1;
-  elseif (! isempty (strfind (kind, "positive number")))
-    good = number && value > 0;
-  elseif (! isempty (strfind (kind, "nonnegative number")))
-    good = number && value >= 0;
   else
-    good = number && ! isempty (strfind (kind, "number"));
+    row = find (! cellfun (@(pattern) isempty (regexp (kind, pattern, "once")), table(:,1)), 1);
+    good = table{row,2}(value);
   endif
+endfunction
+
+function yes = is_real (value)
+  yes = isnumeric (value) && isreal (value);
+endfunction
+
+function yes = is_number (value)
+  yes = is_real (value) && isscalar (value) && isfinite (value);
+endfunction
+
+function yes = is_pair (value, least, most)
+  yes = is_real (value) && numel (value) == 2 && all (value(:) >= least & value(:) <= most);
 endfunction
 
 function text = describe (value)

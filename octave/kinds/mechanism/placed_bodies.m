@@ -7,16 +7,13 @@
 
 function [q, v] = placed_bodies (scene, mechanism)
   count = numel (scene.bodies);
-  place = NaN (count, 2);
-  velocity = NaN (count, 2);
+  place = velocity = NaN (count, 2);
   for k = 1:count
     initial = scene.bodies(k).initial;
-    if (! isempty (initial.x) || ! isempty (initial.y))
-      place(k,:) = [[initial.x, 0](1), [initial.y, 0](1)];
+    place(k,:) = stated_pair (initial.x, initial.y);
+    velocity(k,:) = stated_pair (initial.x_dot, initial.y_dot);
+    if (! isnan (place(k,1)) && isnan (velocity(k,1)))
       velocity(k,:) = 0;
-    endif
-    if (! isempty (initial.x_dot) || ! isempty (initial.y_dot))
-      velocity(k,:) = [[initial.x_dot, 0](1), [initial.y_dot, 0](1)];
     endif
   endfor
   [place, velocity] = place_by_joints (scene, mechanism, place, velocity);
@@ -24,45 +21,65 @@ function [q, v] = placed_bodies (scene, mechanism)
   for k = 1:count
     initial = scene.bodies(k).initial;
     index = index_of (mechanism, k);
-    [V, V_dot] = amplitudes (initial, mechanism.models{k}.base, scene.bodies(k).name);
-    q(index) = [V; initial.phi; place(k,:).'];
-    v(index) = [V_dot; initial.phi_dot; velocity(k,:).'];
+    V = amplitudes (initial, mechanism.models{k}.base, scene.bodies(k).name);
+    q(index) = [V(:,1); initial.phi; place(k,:).'];
+    v(index) = [V(:,2); initial.phi_dot; velocity(k,:).'];
   endfor
 endfunction
 
+## a number that is not stated is 0, and NaN where neither is
+function pair = stated_pair (x, y)
+  pair = [NaN, NaN];
+  if (! isempty (x) || ! isempty (y))
+    pair = [0, 0];
+    pair([! isempty(x), ! isempty(y)]) = [x, y];
+  endif
+endfunction
+
+## joint after joint, until none places another body; what hangs on nothing is at the origin, at rest
 function [place, velocity] = place_by_joints (scene, mechanism, place, velocity)
-  kinds = {"revolute", "weld", "position", "bushing"};
-  at = @(body, station) point_of (scene.bodies(body).initial, mechanism.models{body}.base, station);
   do
-    placed = sum (! isnan (place(:,1)));
+    without_place = sum (isnan (place(:,1)));
     for joint = scene.joints(:).'
-      if (! any (strcmp (joint.kind, kinds)))
-        continue;
+      if (any (strcmp (joint.kind, {"revolute", "weld", "position", "bushing"})))
+        for side = 1:2
+          [place, velocity] = place_body (scene, mechanism, joint, side, place, velocity);
+        endfor
       endif
-      for sides = [1 2; 2 1].'
-        [mine, other] = deal (joint.bodies(sides(1)), joint.bodies(sides(2)));
-        if (mine == 0 || ! isnan (place(mine,1)) || (other > 0 && isnan (place(other,1))))
-          continue;
-        endif
-        [point, rate] = deal (joint.point(:).', [0 0]);
-        if (other > 0)
-          [point, rate] = at (other, joint.stations(sides(2)));
-          [point, rate] = deal (point + place(other,:), rate + velocity(other,:));
-        endif
-        offset = joint.value (0)(1:min (end, 2),1:end*strcmp (joint.kind, "position"));
-        if (! isempty (offset))
-          [point, rate] = deal (point + (3 - 2*sides(1))*offset(1,:), rate + (3 - 2*sides(1))*offset(2,:));
-        endif
-        [from_O, rate_from_O] = at (mine, joint.stations(sides(1)));
-        place(mine,:) = point - from_O;
-        if (isnan (velocity(mine,1)))
-          velocity(mine,:) = rate - rate_from_O;
-        endif
-      endfor
     endfor
-  until (sum (! isnan (place(:,1))) == placed)
+  until (sum (isnan (place(:,1))) == without_place)
   place(isnan (place)) = 0;
   velocity(isnan (velocity)) = 0;
+endfunction
+
+## the body on that side of a joint, if it has no place yet, and the other side has one
+function [place, velocity] = place_body (scene, mechanism, joint, side, place, velocity)
+  body = joint.bodies(side);
+  other = joint.bodies(3-side);
+  if (body == 0 || ! isnan (place(body,1)) || (other > 0 && isnan (place(other,1))))
+    return;
+  endif
+  from_O = @(body, side) point_of (scene.bodies(body).initial, mechanism.models{body}.base, joint.stations(side));
+  point = joint.point(:).';
+  rate = [0 0];
+  if (other > 0)
+    [point, rate] = from_O (other, 3 - side);
+    point += place(other,:);
+    rate += velocity(other,:);
+  endif
+  if (strcmp (joint.kind, "position"))
+    offset = joint.value (0);  # of the first side's point from the second's
+    if (side == 2)
+      offset = -offset;
+    endif
+    point += offset(1,:);
+    rate += offset(2,:);
+  endif
+  [own_point, own_rate] = from_O (body, side);
+  place(body,:) = point - own_point;
+  if (isnan (velocity(body,1)))
+    velocity(body,:) = rate - own_rate;
+  endif
 endfunction
 
 ## from O, of the undeformed rod
@@ -73,22 +90,19 @@ function [point, rate] = point_of (initial, base, station)
   rate = initial.phi_dot*[-y, x];
 endfunction
 
-function [V, V_dot] = amplitudes (initial, base, name)
-  numbers = {base.longitudinal, base.transversal};
-  V = V_dot = [];
-  for i = 1:2
-    [N, all] = deal (sum (numbers{i} > 0), numel (numbers{i}));
-    of = {sprintf("V%d", i), sprintf("V%d_dot", i)};
-    for field = of
-      given = initial.(field{1})(:);
-      if (numel (given) > N)
-        scene_error ("%s: initial.%s has %d amplitudes for %d modes", name, field{1}, numel (given), N);
-      endif
-      padded.(field{1}) = [given; zeros(all - numel (given), 1)];
-    endfor
-    V = [V; padded.(of{1})];
-    V_dot = [V_dot; padded.(of{2})];
-  endfor
+## with their rates in a second column
+function V = amplitudes (initial, base, name)
+  V = [padded(initial, "V1", base.longitudinal, name), padded(initial, "V1_dot", base.longitudinal, name)
+       padded(initial, "V2", base.transversal, name), padded(initial, "V2_dot", base.transversal, name)];
+endfunction
+
+function column = padded (initial, field, numbers, name)
+  given = initial.(field)(:);
+  modes = sum (numbers > 0);
+  if (numel (given) > modes)
+    scene_error ("%s: initial.%s has %d amplitudes for %d modes", name, field, numel (given), modes);
+  endif
+  column = [given; zeros(numel (numbers) - numel (given), 1)];
 endfunction
 
 %!test # the second rod hangs where the first one ends
@@ -99,7 +113,8 @@ endfunction
 %!test # what flies free, or hangs on a bushing, keeps the velocity that is stated, wherever its place comes from
 %! rod = struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1);
 %! scene.bodies = {struct("rod", rod, "model", struct ("modes", [0 0]), "initial", struct ("y_dot", 0.1))};
-%! [scene.gravity, scene.duration] = deal (0, 0.1);
+%! scene.gravity = 0;
+%! scene.duration = 0.1;
 %! scene.joints = {struct("kind", "moment", "bodies", 1, "stations", 0)};
 %! assert (driver (scene, "output", "").history.bodies.y(end), 0.01, 1e-9);
 %! scene.joints = {struct("kind", "bushing", "bodies", 1, "stations", 0.5, "point", [2 0], "stiffness", 4)};

@@ -24,7 +24,7 @@ function model = build_model (scene, rung)
   if (scene.tip_mass > 0)
     arrays = add_point_mass (arrays, model.base, model.length, scene.tip_mass, model.shortening);
   endif
-  [arrays.slope_1, arrays.slope_2] = at (model.base, 0, 1);
+  [arrays.slope_1, arrays.slope_2] = columns_at (model.base, 0, 1);
   if (model.shortening)
     arrays.slope_1 *= 0;  # v1 is then the stretch along the bent rod, which does not turn its tangent
   endif
@@ -40,12 +40,12 @@ function model = build_model (scene, rung)
   endif
   model.arrays = set_followers (model.arrays, model.followers);
 
-  [force.shape_1, force.shape_2] = at (model.base, scene.force_station, 0);
+  [force.shape_1, force.shape_2] = columns_at (model.base, scene.force_station, 0);
   force.shortening_matrix = model.shortening*shortening_at (model.base, scene.force_station);
   model.force = project_arrays (force, model.basis);
 endfunction
 
-function [along, across] = at (base, station, derivative)
+function [along, across] = columns_at (base, station, derivative)
   [along, across] = functions_at (base, station, derivative);
   along = along.';
   across = across.';
@@ -62,7 +62,10 @@ function base = base_of (rung, scene, section)
     along = [sines, elongation_numbers(forced_stations (scene), scene.rod, section)];
   endif
   if (rung.bending > 0)
-    across = [sines, repmat(-1, 1, moment_at_O (scene))];
+    across = sines;
+  endif
+  if (rung.bending > 0 && moment_at_O (scene))
+    across(end+1) = -1;
   endif
   base = base_functions (along, across, scene.rod.length);
 endfunction
@@ -89,15 +92,21 @@ function followers = followers_of (arrays, k, along)
   followers.shape_1 = along(k).';
 endfunction
 
+## the scalars that the equations have of them, 0 without
 function arrays = set_followers (arrays, followers)
-  [arrays.follower_dd, arrays.follower_ds, arrays.follower_ss] = deal (0);
-  [arrays.follower_fd, arrays.follower_fs, arrays.follower_ff] = deal (0);
+  F = d = s = e = 0;
   if (! isempty (followers))
-    [F, d, s, e] = deal (followers.flexibility, followers.centrifugal_vector, followers.first_moment_1, ...
-                         followers.shape_1);
-    [arrays.follower_dd, arrays.follower_ds, arrays.follower_ss] = deal (d.'*F*d, d.'*F*s, s.'*F*s);
-    [arrays.follower_fd, arrays.follower_fs, arrays.follower_ff] = deal (e.'*F*d, e.'*F*s, e.'*F*e);
+    F = followers.flexibility;
+    d = followers.centrifugal_vector;
+    s = followers.first_moment_1;
+    e = followers.shape_1;
   endif
+  arrays.follower_dd = d.'*F*d;
+  arrays.follower_ds = d.'*F*s;
+  arrays.follower_ss = s.'*F*s;
+  arrays.follower_fd = e.'*F*d;
+  arrays.follower_fs = e.'*F*s;
+  arrays.follower_ff = e.'*F*e;
 endfunction
 
 %!test # the paper's sines are a basis of their own
