@@ -9,24 +9,26 @@
 ## @end deftypefn
 
 function I = panel_integrals (z, x, m)
-  turned = z*x;
-  I = by_quadrature (turned, x, m);
-  far = find (abs (turned) > 16);
+  exponents = z*x;
+  I = by_quadrature (exponents, x, m);
+  far = find (abs (exponents) > 16);
   if (! isempty (far))
     of_row = x(ceil (far/rows (z))).'(:);
-    I(far,:) = of_row.*by_parts (turned(far)(:), of_row, m);
+    I(far,:) = of_row.*by_parts (exponents(far)(:), of_row, m);
   endif
 endfunction
 
 ## all fractions in one product: a block of points by polynomials each
-function I = by_quadrature (turned, x, m)
+function I = by_quadrature (exponents, x, m)
   persistent points weights;
   if (isempty (points))
     [points, weights] = gauss_rule (20);
   endif
-  [p, k, n] = deal (numel (points), numel (x), rows (turned));
+  p = numel (points);
+  k = numel (x);
+  n = rows (exponents);
   block = ones (p, 1)*(1:k);
-  kernel = exp (turned(:,block(:)).*(1 - points)(ones (1, k),:).'(:).');
+  kernel = exp (exponents(:,block(:)).*(1 - points)(ones (1, k),:).'(:).');
   T = (weights.'*x)(:).*cos (acos (2*(points.'*x)(:) - 1)*(0:m-1));
   T = sparse ((1:p*k).'*ones (1, m), block(:)*m + (1 - m:0), T, p*k, m*k);
   I = reshape (permute (reshape (kernel*T, n, m, k), [1 3 2]), n*k, m);

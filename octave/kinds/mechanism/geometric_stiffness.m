@@ -18,8 +18,8 @@ function K = geometric_stiffness (mechanism, q, F)
     for b = 1:bodies
       V_V = shortening(b)*matrix + slope_1_1(b)*(slope_1*slope_1.') + slope_1_2(b)*(cross + cross.') ...
             + slope_2_2(b)*(slope_2*slope_2.');
-      turning = index(1:end-2,b);
-      K(turning,turning) -= [V_V, phi_V(:,b); phi_V(:,b).', phi_phi(b)];
+      V_and_phi = index(1:end-2,b);
+      K(V_and_phi,V_and_phi) -= [V_V, phi_V(:,b); phi_V(:,b).', phi_phi(b)];
     endfor
   endfor
 endfunction

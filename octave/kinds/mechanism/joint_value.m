@@ -8,7 +8,7 @@ function value = joint_value (joint, name, bodies)
   [numbers, orders] = value_size (joint);
   if (numbers == 0)
     values = zeros (3);
-    values(1,3) = turned (joint, bodies);  # a weld's tangents stay as they begin
+    values(1,3) = stated_angle (joint, bodies);  # a weld's tangents stay as they begin
     value = @(t) values;
   elseif (isnumeric (joint.value))
     if (numel (joint.value) != numbers && ! isequal (joint.value, 0))
@@ -23,7 +23,8 @@ function value = joint_value (joint, name, bodies)
   endif
 endfunction
 
-function angle = turned (joint, bodies)
+## of the first tangent against the second, or the ground
+function angle = stated_angle (joint, bodies)
   angle = tangent_of (bodies(joint.bodies(1)), joint.stations(1));
   if (joint.bodies(2) > 0)
     angle -= tangent_of (bodies(joint.bodies(2)), joint.stations(2));

@@ -11,19 +11,30 @@
 ## @end deftypefn
 
 function [force_q, force_phi, w4] = dropped_forces (points, motion, loads)
-  [q, q_dot, q_ddot] = deal (motion.q, motion.q_dot, motion.q_ddot);
-  [along, across] = deal (points.along, points.across);
+  q = motion.q;
+  q_dot = motion.q_dot;
+  q_ddot = motion.q_ddot;
+  along = points.along;
+  across = points.across;
   follow = @(k) 0;
   if (! isempty (motion.followers))
     follow = @(k) points.of_followers{k}*motion.followers;
   endif
-  [stretch, stretch_dot, stretch_ddot] = deal (along{2}*q + follow (2), along{2}*q_dot, along{2}*q_ddot);
-  [slope, slope_dot, slope_ddot] = deal (across{2}*q, across{2}*q_dot, across{2}*q_ddot);
+  stretch = along{2}*q + follow (2);
+  stretch_dot = along{2}*q_dot;
+  stretch_ddot = along{2}*q_ddot;
+  slope = across{2}*q;
+  slope_dot = across{2}*q_dot;
+  slope_ddot = across{2}*q_ddot;
   [w2, w4, w2_dot, w4_dot, w2_ddot] = rod_shortening_rates (slope, slope_dot, slope_ddot, stretch, stretch_dot);
   m = columns (q);
   all = points.integral*[w2, w4, w2_dot, w4_dot, w2_ddot];
   part = @(k) all(:,(k-1)*m+(1:m));
-  [w2, w4, w2_dot, w4_dot, w2_ddot] = deal (part (1), part (2), part (3), part (4), part (5));
+  w2 = part (1);
+  w4 = part (2);
+  w2_dot = part (3);
+  w4_dot = part (4);
+  w2_ddot = part (5);
 
   [on_v1, on_v2, on_w2, on_w4, on_stretch, on_stretch_slope, on_slope, on_bend, on_phi] = rod_dropped_forces (
     motion.phi, motion.phi_dot, motion.phi_ddot, motion.x_ddot, motion.y_ddot, ...
@@ -60,12 +71,12 @@ endfunction
 %!test # weight: the work that it does as the tip comes nearer
 %! [points, motion, loads] = at_rest (0.05);
 %! [none, ~, w4] = dropped_forces (points, motion, loads);
-%! [with, turning] = dropped_forces (points, motion, setfield (loads, "gravity", 9.81));
+%! [with, torque] = dropped_forces (points, motion, setfield (loads, "gravity", 9.81));
 %! nearer = @(a) quadgk (@(x) (1 - x).*(1 - sqrt (1 - (a*pi*cos (pi*x)).^2) - (a*pi*cos (pi*x)).^2/2), 0, 1);
 %! rhoA = sum (points.rhoA);
 %! expected = 9.81*sin (0.3)*rhoA*(nearer (0.0501) - nearer (0.0499))/2e-4;
 %! assert (with - none, expected, 0.02*expected);
-%! assert (turning, 9.81*cos (0.3)*rhoA*nearer (0.05), 0.02*9.81*rhoA*nearer (0.05));
+%! assert (torque, 9.81*cos (0.3)*rhoA*nearer (0.05), 0.02*9.81*rhoA*nearer (0.05));
 %! assert (w4(end), quadgk (@(x) (0.05*pi*cos (pi*x)).^4/8, 0, 1), 1e-12);
 %!test # a moment at O works on the angle that the slope really has
 %! [points, motion, loads] = at_rest (0.05);

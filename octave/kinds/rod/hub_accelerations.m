@@ -1,22 +1,25 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{V_ddot}, @var{phi_ddot}, @var{torque}] =} hub_accelerations (@var{inverse_mass}, @
-##   @var{mass_V_phi}, @var{mass_phi_phi}, @var{gradient}, @var{force_V}, @var{force_phi}, @var{acceleration})
-## Accelerations (n-by-m and 1-by-m) of a rod in a hub at m times, and the hub's torque (1-by-m, N m): the multiplier
-## of the constraint @var{gradient}.' V_ddot + phi_ddot = @var{acceleration} (see @code{rod_in_hub}).
+##   @var{m}, @var{mm}, @var{g}, @var{force_V}, @var{force_phi}, @var{r})
+## Accelerations (n-by-k and 1-by-k) of a rod in a hub at k times, and the hub's torque (1-by-k, N m): the multiplier
+## of the constraint @var{g}.' V_ddot + phi_ddot = @var{r} (see @code{rod_in_hub}).  Its mass matrix is
+## [mass, @var{m}; @var{m}.', @var{mm}] (see @code{rod_forces}).
 ##
 ## With phi_ddot and the torque put in, the mass matrix of V is that of the modes, whose inverse is constant, and
-## [m g]*[0 -1; -1 mass_phi_phi]*[m g].' with m = @var{mass_V_phi} and g the gradient: Woodbury's formula inverts it.
+## [m g]*[0 -1; -1 mm]*[m g].': Woodbury's formula inverts it.
 ## @end deftypefn
 
-function [V_ddot, phi_ddot, torque] = hub_accelerations (inverse_mass, mass_V_phi, mass_phi_phi, gradient, force_V, ...
-                                                         force_phi, acceleration)
-  [m, mm, g, r] = deal (mass_V_phi, mass_phi_phi, gradient, acceleration);
+function [V_ddot, phi_ddot, torque] = hub_accelerations (inverse_mass, m, mm, g, force_V, force_phi, r)
   product = @(a, b) sum (a.*b, 1);
   V_ddot = inverse_mass*(force_V - m.*r + g.*(mm.*r - force_phi));
-  [solved_m, solved_g] = deal (inverse_mass*m, inverse_mass*g);
+  solved_m = inverse_mass*m;
+  solved_g = inverse_mass*g;
   ## the inverse of [0 -1; -1 mm] is [-mm -1; -1 0]
-  [a, b, d] = deal (product (m, solved_m) - mm, product (m, solved_g) - 1, product (g, solved_g));
-  [of_m, of_g] = deal (product (m, V_ddot), product (g, V_ddot));
+  a = product (m, solved_m) - mm;
+  b = product (m, solved_g) - 1;
+  d = product (g, solved_g);
+  of_m = product (m, V_ddot);
+  of_g = product (g, V_ddot);
   determinant = a.*d - b.^2;
   V_ddot -= solved_m.*((d.*of_m - b.*of_g)./determinant) + solved_g.*((a.*of_g - b.*of_m)./determinant);
   phi_ddot = r - product (g, V_ddot);

@@ -22,14 +22,18 @@ function system = with_dropped (scene, model)
     constants.slopes = {model.arrays.slope_1, model.arrays.slope_2};
     motion = system.motion;
     system.rate = @(t, y, interval) in_hub (t, y, interval, n, constants);
-    system.motion = @(times, states) turned_in_hub (motion (times, states), constants);
+    system.motion = @(times, states) without_angle (motion (times, states), constants);
   endif
 endfunction
 
 function y_dot = hinged (t, y, interval, n, y_dot, c)
   t = min (max (t, interval(1)), interval(2));
   c.interval = interval;
-  [q, q_dot, q_ddot, phi, phi_dot] = deal (y(1:n,:), y(n+2:2*n+1,:), y_dot(n+2:2*n+1,:), y(n+1,:), y_dot(n+1,:));
+  q = y(1:n,:);
+  q_dot = y(n+2:2*n+1,:);
+  q_ddot = y_dot(n+2:2*n+1,:);
+  phi = y(n+1,:);
+  phi_dot = y_dot(n+1,:);
   [mass_q_phi, mass_phi_phi, ~, force_phi] = rod_forces (t, phi, phi_dot, q, q_dot, c);
   solved_mass = c.inverse_mass_matrix*mass_q_phi;
   free_mass = mass_phi_phi - sum (mass_q_phi.*solved_mass, 1);
@@ -49,16 +53,19 @@ endfunction
 function y_dot = in_hub (t, y, interval, n, c)
   t = min (max (t, interval(1)), interval(2));
   c.interval = interval;
-  [q, q_dot, theta] = deal (y(1:n,:), y(n+1:2*n,:), at_times (c.rotation, t));
+  q = y(1:n,:);
+  q_dot = y(n+1:2*n,:);
+  theta = at_times (c.rotation, t);
   [phi, phi_dot, gradient, acceleration] = rod_in_hub (theta(1,:), theta(2,:), q, q_dot, c.slopes{:});
   [angle, angle_dot, by_slope, by_stretch, second_rate] = angle_at_O (q, q_dot, c.points);
   phi -= angle;
   phi_dot -= angle_dot;
   gradient += c.points.slope_at_O.'*by_slope + c.points.stretch_at_O.'*by_stretch;
-  turning = theta(3,:) - acceleration - second_rate;
+  right_side = theta(3,:) - acceleration - second_rate;
   [mass_q_phi, mass_phi_phi, force_q, force_phi] = rod_forces (t, phi, phi_dot, q, q_dot, c);
-  solved = @(f, g) hub_accelerations (c.inverse_mass_matrix, mass_q_phi, mass_phi_phi, gradient, f, g, turning);
-  [q_ddot, phi_ddot] = deal (0*q, 0*phi);
+  solved = @(f, g) hub_accelerations (c.inverse_mass_matrix, mass_q_phi, mass_phi_phi, gradient, f, g, right_side);
+  q_ddot = 0*q;
+  phi_ddot = 0*phi;
   for pass = 1:2
     [more_q, more_phi] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c);
     [q_ddot, phi_ddot] = solved (force_q + more_q, force_phi + more_phi);
@@ -76,7 +83,8 @@ function [force_q, force_phi] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_
   endif
   if (! isempty (c.force))
     F = at_times (c.force, t);
-    [loads.force_x, loads.force_y] = deal (F(1,:), F(2,:));
+    loads.force_x = F(1,:);
+    loads.force_y = F(2,:);
   endif
   if (! isempty (c.followers))
     motion.followers = rod_followers (phi, phi_dot, c.gravity, c.followers.flexibility, ...
@@ -87,11 +95,13 @@ function [force_q, force_phi] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_
 endfunction
 
 function varargout = angle_at_O (q, q_dot, points)
-  [b, a] = deal (points.slope_at_O, points.stretch_at_O);
+  b = points.slope_at_O;
+  a = points.stretch_at_O;
   [varargout{1:nargout}] = rod_dropped_angle (b*q, b*q_dot, a*q, a*q_dot);
 endfunction
 
-function found = turned_in_hub (found, c)
+## the chord is behind the tangent, which the hub turns, by the angle that the slope at O really has
+function found = without_angle (found, c)
   [angle, angle_dot] = angle_at_O (found.q, found.q_dot, c.points);
   found.phi -= angle;
   found.phi_dot -= angle_dot;

@@ -12,8 +12,8 @@ function refuse_singular (surface, fields, when)
   if (! (isreal (determinant) && all (isfinite (determinant(:))) && all (isfinite (n_1(:)))))
     error ("toolchain:integration", "the rod leaves the chart %s: the surface has no metric there%s\n", when, remedy);
   endif
-  turned = n_1(1:end-1,:).*n_1(2:end,:) + n_2(1:end-1,:).*n_2(2:end,:) + n_3(1:end-1,:).*n_3(2:end,:) < 0;
-  if (any (turned(:)) || any (vec (determinant <= 1e-4*max (determinant, [], 1))))
+  flips = n_1(1:end-1,:).*n_1(2:end,:) + n_2(1:end-1,:).*n_2(2:end,:) + n_3(1:end-1,:).*n_3(2:end,:) < 0;
+  if (any (flips(:)) || any (vec (determinant <= 1e-4*max (determinant, [], 1))))
     [~, k] = min (min (determinant, [], 2));
     text = "the rod meets a point %s where the surface's chart is singular, near alpha = (%.3g, %.3g)%s\n";
     error ("toolchain:integration", text, when, fields{1}(k,1), fields{2}(k,1), remedy);
