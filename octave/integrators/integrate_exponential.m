@@ -15,7 +15,10 @@ function [states, steps] = integrate_exponential (system, times, y, solver)
   n = rows (system.mass);
   scale = solver.tolerance*system.state_scale([1:n, 2*n+1:end]);
   states = repmat (y, 1, numel (times));
-  [steps, h, curvature, age] = deal (0, diff (times([1 end])), [], 0);
+  steps = 0;
+  h = diff (times([1 end]));
+  curvature = [];
+  age = 0;
   for k = 2:numel (times)
     t = times(k-1);
     while (t < times(k))
@@ -33,14 +36,21 @@ function [states, steps] = integrate_exponential (system, times, y, solver)
       steps++;
       error_ratio = max ([abs(modal.X)*max(defect(1:n), step.h*defect(n+1:2*n)); defect(2*n+1:end)]./scale);
       if (error_ratio <= 1)
-        t = [t + step.h, times(k)](1 + (m == 1));
+        t += step.h;
+        if (m == 1)
+          t = times(k);
+        endif
         z = new_z;
         y = modal.state (z);
         remainder = new_remainder;
         curvature = new_curvature;
         age = mod (age + 1, 2);
       endif
-      h = max (step.h*next_factor (error_ratio), h*(error_ratio <= 1 && m == 1));
+      next_h = step.h*next_factor (error_ratio);
+      if (error_ratio <= 1 && m == 1)
+        next_h = max (next_h, h);  # a step to the next time may have been a short one
+      endif
+      h = next_h;
       if (h < 1e-12*times(end))
         stop_integration ("exponential", system, t, times(end), h, "its steps shrank to nothing", ...
                           sprintf ("a larger tolerance than %.2g m", solver.tolerance));

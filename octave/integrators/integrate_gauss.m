@@ -14,7 +14,9 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
   states = repmat (y, 1, numel (times));
   method = collocation (4);
   balance = balance_of (solver);
-  [steps, m, n] = deal (0, 2, system.n);
+  steps = 0;
+  m = 2;
+  n = system.n;
   largest = system.energy_floor;
   for k = 2:numel (times)
     interval = times([k-1, k]);
@@ -36,9 +38,12 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
       if (! all (isfinite (change)))
         error = Inf;
       endif
-      [coarse, pieces] = deal (fine, m);
+      coarse = fine;
+      pieces = m;
     until (error <= tolerance)
-    m = m/(1 + (error < tolerance/16 && m > 2));
+    if (error < tolerance/16 && m > 2)
+      m /= 2;
+    endif
     y = fine;
     system.refuse_singular (y(1:n), sprintf ("at t = %.4g s", interval(2)));
     states(:,k) = y;
@@ -69,7 +74,8 @@ function y = march (system, method, interval, y, m)
   acceleration = [];
   for i = 1:m
     t = interval(1) + h*(i - 1 + method.points.');
-    [z, z_dot] = deal (y(1:n), y(n+1:2*n));
+    z = y(1:n);
+    z_dot = y(n+1:2*n);
     if (isempty (acceleration))
       acceleration = zeros (n, 4);
     else

@@ -14,7 +14,11 @@ function [states, steps] = integrate_radau (system, times, start, solver)
   [y.a, y.lambda, at] = constrained_accelerations (system, times(1), y.q, y.v);
   y.sigma = at.springs.tension;
   states.lambda(:,1) = y.lambda;
-  [t, h, steps, last, refused] = deal (times(1), min (diff (times)(1)/4, 1e-3*system.duration), 0, [], 0);
+  t = times(1);
+  h = min (diff (times)(1)/4, 1e-3*system.duration);
+  steps = 0;
+  last = [];
+  refused = 0;
   for k = 2:numel (times)
     while (t < times(k))
       to_go = times(k) - t;
@@ -23,8 +27,12 @@ function [states, steps] = integrate_radau (system, times, start, solver)
       [next, error_ratio, stages, why] = radau_step (system, rule, t, y, step, last, solver.tolerance, refused > 1);
       steps++;
       if (error_ratio <= 1)
-        t = [t + step, times(k)](1 + (pieces == 1));
-        [y, last] = deal (next, stages);
+        t += step;
+        if (pieces == 1)
+          t = times(k);
+        endif
+        y = next;
+        last = stages;
         h = step*min (4, max (0.3, 0.85*max (error_ratio, 1e-12)^(-1/6)));
         refused = 0;
       else

@@ -17,8 +17,10 @@ function jumps = find_jumps (load, t, values)
     smallest = 1e-9*max (abs (x));
     faster = rate(2:end-1) > 2*min (rate(1:end-2), rate(3:end));
     cell = find (faster & change > smallest);
-    [from, to] = deal (t(cell), t(cell+1));
-    [x_from, x_to] = deal (x(cell), x(cell+1));
+    from = t(cell);
+    to = t(cell+1);
+    x_from = x(cell);
+    x_to = x(cell+1);
     for depth = 1:8
       if (isempty (from))
         break;
@@ -26,10 +28,15 @@ function jumps = find_jumps (load, t, values)
       [left, right, x_left, x_right] = bisect (load, part, from, to, x_from, x_to);
       found = abs (x_right - x_left) > max (0.01*abs (x_to - x_from), smallest);
       jumps = [jumps, right(found)];
-      [from, to] = deal ([from(found), right(found)], [left(found), to(found)]);
-      [x_from, x_to] = deal ([x_from(found), x_right(found)], [x_left(found), x_to(found)]);
+      from = [from(found), right(found)];
+      to = [left(found), to(found)];
+      x_from = [x_from(found), x_right(found)];
+      x_to = [x_left(found), x_to(found)];
       again = abs (x_to - x_from) > smallest & from < to;
-      [from, to, x_from, x_to] = deal (from(again), to(again), x_from(again), x_to(again));
+      from = from(again);
+      to = to(again);
+      x_from = x_from(again);
+      x_to = x_to(again);
     endfor
   endfor
   jumps = reshape (unique (jumps), 1, []);
@@ -46,11 +53,14 @@ function [a, b, x_a, x_b] = bisect (load, part, a, b, x_a, x_b)
     endif
     [times, ~, back] = unique (middle(going));
     x = load_values (load, times)(part,back(:).');
-    [here, there] = deal (abs (x - x_a(going)), abs (x_b(going) - x));
+    here = abs (x - x_a(going));
+    there = abs (x_b(going) - x);
     first = going(here >= there);
     second = going(here < there);
-    [b(first), x_b(first)] = deal (middle(first), x(here >= there));
-    [a(second), x_a(second)] = deal (middle(second), x(here < there));
+    b(first) = middle(first);
+    x_b(first) = x(here >= there);
+    a(second) = middle(second);
+    x_a(second) = x(here < there);
   endfor
 endfunction
 

@@ -15,7 +15,7 @@
 
 function [breaks, probed] = load_breaks (loads, stated, scene)
   breaks = unique (stated(:).');
-  breaks = breaks([diff(breaks) > 1e-12*scene.duration, true(1, ! isempty (breaks))]);
+  breaks(diff (breaks) <= 1e-12*scene.duration) = [];
   probed = struct ("name", {}, "looked_at", {}, "breaks", {});
   for load = loads
     load_values (load, [0, 0.5, 1]*scene.duration);
@@ -50,7 +50,10 @@ function ends = without_tails (load, ends, breaks, values, duration)
 endfunction
 
 function t = probe_times (load, duration)
-  count = [4001, 20011](1 + load.vectorised);
+  count = 4001;
+  if (load.vectorised)
+    count = 20011;
+  endif
   few = linspace (0, duration, 41);
   start = cputime ();  # which other work on the machine leaves alone
   load_values (load, few);
@@ -76,7 +79,8 @@ endfunction
 
 function refuse_prescribed (load, jumps)
   for time = jumps
-    [before, behind] = deal (load_values (load, time*(1 - 2*eps)), load_values (load, time*(1 + 2*eps)));
+    before = load_values (load, time*(1 - 2*eps));
+    behind = load_values (load, time*(1 + 2*eps));
     for part = load.prescribed
       if (abs (behind(part) - before(part)) > 1e-9*max (abs ([before; behind])))
         scene_error (["%s jumps from %.6g to %.6g at t = %.9g, its number %d: no force can make a prescribed place" ...

@@ -16,13 +16,16 @@ function job = draw_history (drawing, scratch)
   settings.break_count = sum (inside);
   settings.breaks = num2cell (drawing.moment_breaks(inside));
   settings.spectrum = double (isfield (drawing, "spectrum") && ! isempty (drawing.spectrum));
-  names = [{""}, panels.names, repmat({"predicted, at rest"}, 1, settings.spectrum), ...
-           repmat({"break of loads"}, 1, any (inside))];
-  settings.longest_name = max (cellfun (@numel, names));
-  write_text (fullfile (scratch, "settings.gp"), gnuplot_settings (settings));
+  names = [{""}, panels.names];
+  if (any (inside))
+    names{end+1} = "break of loads";
+  endif
   if (settings.spectrum)
+    names{end+1} = "predicted, at rest";
     write_text (fullfile (scratch, "spectrum.gp"), spectrum_data (drawing.spectrum));
   endif
+  settings.longest_name = max (cellfun (@numel, names));
+  write_text (fullfile (scratch, "settings.gp"), gnuplot_settings (settings));
   for i = 1:numel (panels)
     [label, values] = scaled_panel (panels(i));
     panel = struct ("label", label, "names", {panels(i).names}, ...
@@ -47,7 +50,10 @@ endfunction
 ## 1, 2, 5, 10, ..., or powers of ten alone where those are many
 function tics = decade_tics (range)
   decades = floor (log10 (range(1))):ceil (log10 (range(2)));
-  digits = [1, 2, 5](1:1 + 2*(diff (log10 (range)) < 2.5));
+  digits = 1;
+  if (diff (log10 (range)) < 2.5)
+    digits = [1, 2, 5];
+  endif
   tics = (digits.'.*10.^decades)(:).';
   tics = tics(tics >= 0.999*range(1) & tics <= 1.001*range(2));
 endfunction

@@ -42,9 +42,11 @@
 function [missing, warnings, seconds] = draw_pictures (drawing, folder)
   check_drawing (drawing);
   confirm_recursive_rmdir (false, "local");
-  [figure, frames] = deal (@draw_figure3, @draw_frames);
+  figure = @draw_figure3;
+  frames = @draw_frames;
   if (isfield (drawing, "surface"))
-    [figure, frames] = deal (@draw_surface_figure, @draw_surface_frames);
+    figure = @draw_surface_figure;
+    frames = @draw_surface_frames;
   endif
   start = tic ();
   number = numel (drawing.time);

@@ -16,7 +16,8 @@ function text = frame_data (drawing, stress, camera, frame, tip = 0)
     if (! isempty (stress{i}))
       ## Each piece reaches over the next one too, which covers it: so no seams show.
       reach = centre([3:end, end, end],:) - centre;
-      pieces{end+1} = [centre, reach, stress{i}(:,frame)](1:end-1,:);
+      of_points = [centre, reach, stress{i}(:,frame)];
+      pieces{end+1} = of_points(1:end-1,:);
     endif
   endfor
   [ground, pins] = hinge_symbol (drawing.hinges, frame, camera.symbol);
@@ -33,7 +34,10 @@ function text = frame_data (drawing, stress, camera, frame, tip = 0)
   settings.clock = clock_text (drawing, frame);
   settings.tip = tip;
   [scale, unit] = unit_prefix (moment, "N m");
-  settings.moment_label = repmat (sprintf ("%.3g %s", moment/scale, unit), 1, moment != 0);
+  settings.moment_label = "";
+  if (moment != 0)
+    settings.moment_label = sprintf ("%.3g %s", moment/scale, unit);
+  endif
   label_size = [5.5*numel(settings.moment_label), 11] * camera.pixel;
   settings.moment_place = place + label_size .* away;
 

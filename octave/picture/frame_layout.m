@@ -13,13 +13,15 @@ function layout = frame_layout (drawing)
   if (isfield (drawing, "frame_size"))
     frame = drawing.frame_size(:).';
   endif
-  [layout.width, layout.height] = deal (frame(1), frame(2));
+  layout.width = frame(1);
+  layout.height = frame(2);
   strips = numel (drawing.strips);
   if (frame(2) > frame(1))
     layout.unit = min (frame./[720 1280]);
     high = frame(2)/layout.unit;
     layout.strip_height = min (180, 0.45*high/max (strips, 1) - 30);
-    [layout.scene_right, layout.scene_top] = deal (150, 125);
+    layout.scene_right = 150;
+    layout.scene_top = 125;
     layout.scene_bottom = 65 + (strips > 0)*(strips*(layout.strip_height + 30) + 75);
     layout.strip_left = frame(1)/layout.unit - 95;
   else
@@ -29,7 +31,10 @@ function layout = frame_layout (drawing)
     if (strips > 1)
       layout.strip_height = (high - 210 - 30*(strips - 1))/strips;
     endif
-    [layout.scene_right, layout.scene_top, layout.scene_bottom, layout.strip_left] = deal (515, 65, 65, 320);
+    layout.scene_right = 515;
+    layout.scene_top = 65;
+    layout.scene_bottom = 65;
+    layout.strip_left = 320;
   endif
   layout.strip_bottom = 65;
   layout.strip_width = layout.strip_left - 25;

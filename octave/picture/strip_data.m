@@ -12,8 +12,8 @@ function text = strip_data (drawing)
     time.t_step = tic_step (time.t, 4);
   endif
   settings.strips = numel (drawing.strips);
-  [settings.labels, settings.names, settings.named, settings.places] = deal ({});
-  [settings.curves, settings.low, settings.high, settings.step] = deal ({});
+  settings.labels = settings.names = settings.named = settings.places = {};
+  settings.curves = settings.low = settings.high = settings.step = {};
   table = drawing.time;
   known = {};
   room = frame_layout (drawing).strip_width;
@@ -39,7 +39,8 @@ endfunction
 
 ## one curve is named by the label, and names that a strip above has need not be said again
 function [shown, places, known] = names_of (label, names, room, known)
-  [shown, places] = deal ({}, []);
+  shown = {};
+  places = [];
   if (numel (names) > 1 && ! any (cellfun (@(before) isequal (before, names), known)))
     [shown, places] = strip_names (label, names, room);
     if (numel (shown) == numel (names))

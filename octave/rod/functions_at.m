@@ -9,7 +9,8 @@
 function [longitudinal, transversal] = functions_at (base, stations, derivative = 0)
   if (isfield (base, "axis"))
     f = curved_functions (base, base.axis, stations);
-    [longitudinal, transversal] = {f.u_1, f.u_2; f.e, f.chi}{derivative + 1,:};
+    by_derivative = {f.u_1, f.u_2; f.e, f.chi};
+    [longitudinal, transversal] = by_derivative{derivative + 1,:};
     return;
   endif
   functions = {@rod_shape_longitudinal, @rod_shape_transversal; @rod_slope_longitudinal, @rod_slope_transversal

@@ -9,10 +9,20 @@
 function section = rod_section (rod, choice)
   if (isempty (rod.EA))
     [rhoA, rhoI] = section_inertia (rod.width, rod.half_height, rod.density);
-    stiffness = {@section_stiffness_uniaxial, @section_stiffness_paper}{1 + strcmp (choice.energy, "paper")};
+    stiffness = @section_stiffness_uniaxial;
+    if (strcmp (choice.energy, "paper"))
+      stiffness = @section_stiffness_paper;
+    endif
     [EA, EI, GI] = stiffness (rod.width, rod.half_height, rod.lambda, rod.mu);
   else
-    [rhoA, rhoI, EA, EI, GI] = deal (rod.rhoA, [rod.rhoI, 0](1), rod.EA, rod.EI, 0);
+    rhoA = rod.rhoA;
+    rhoI = rod.rhoI;
+    EA = rod.EA;
+    EI = rod.EI;
+    GI = 0;
+  endif
+  if (isempty (rhoI))
+    rhoI = 0;
   endif
   section = struct ("rhoA", rhoA, "rhoI", rhoI*choice.rotary_inertia, "EA", EA, "EI", EI, "GI", GI);
 endfunction

@@ -13,10 +13,13 @@
 function basis = rung_basis (rung, arrays, base, clamped)
   N1 = numel (base.longitudinal);
   N = rows (arrays.mass_matrix);
-  [i1, i2] = deal (1:N1, N1+1:N);
-  dynamic = strcmp (rung.axial, "dynamic");
+  i1 = 1:N1;
+  i2 = N1+1:N;
   if (! isempty (rung.sines))
-    basis = eye (N)(:,[repmat(i1, 1, dynamic), i2]);
+    basis = eye (N);
+    if (! strcmp (rung.axial, "dynamic"))
+      basis(:,i1) = [];
+    endif
     return;
   endif
   coupling = arrays.coupling_vector(i2);
@@ -26,8 +29,11 @@ function basis = rung_basis (rung, arrays, base, clamped)
   endif
   P = [eye(numel (i2)); phi_of_V.'];
   mass = P.'*[arrays.mass_matrix(i2,i2), coupling; coupling.', arrays.moment_of_inertia]*P;
-  along = longitudinal_modes_of (base, arrays.mass_matrix(i1,i1), arrays.stiffness_matrix(i1,i1), ...
-                                 dynamic*rung.longitudinal);
+  longitudinal = 0;
+  if (strcmp (rung.axial, "dynamic"))
+    longitudinal = rung.longitudinal;
+  endif
+  along = longitudinal_modes_of (base, arrays.mass_matrix(i1,i1), arrays.stiffness_matrix(i1,i1), longitudinal);
   basis = blkdiag (along, lowest_modes (mass, arrays.stiffness_matrix(i2,i2), rung.bending));
 endfunction
 

@@ -10,8 +10,10 @@ function name = rung_name (rung)
     name = "rigid";
   elseif (strcmp (rung.axial, "dynamic"))
     name = sprintf ("%d bending + %d longitudinal modes", rung.bending, rung.longitudinal);
+  elseif (rung.bending == 1)
+    name = "1 bending mode";
   else
-    name = sprintf ("%d bending mode%s", rung.bending, repmat ("s", 1, rung.bending != 1));
+    name = sprintf ("%d bending modes", rung.bending);
   endif
   if (strcmp (rung.axial, "quasistatic"))
     name = [name ", quasi-static longitudinal ones"];

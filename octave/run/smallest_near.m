@@ -15,18 +15,18 @@ function [trial, needed, trials] = smallest_near (ladder, reference, limit, tria
   metres = limit;
   do
     needed = needed_of (ladder, reference, metres);
-    enough = ladder.poorer (needed, reference.rung);
-    if (enough)
-      [near, trials] = run_once (ladder, needed, trials);
-      held = distance (near, reference) <= limit;
+    if (! ladder.poorer (needed, reference.rung))
+      return;
     endif
+    [near, trials] = run_once (ladder, needed, trials);
+    held = distance (near, reference) <= limit;
     metres /= 2;
-  until (! enough || held || metres < limit/100)
-  if (enough && ! held)
+  until (held || metres < limit/100)
+  if (! held)
     needed = reference.rung;
     [near, held] = held_before (ladder, reference, limit, trials);
   endif
-  if (enough && held)
+  if (held)
     [trial, trials] = go_down (ladder, near, reference, limit, trials);
   endif
 endfunction

@@ -8,10 +8,10 @@ function scene = chain (n = 5)
   rod = struct ("length", 0.1, "width", 0.01, "half_height", 0.001, "density", 7800);
   scene.title = sprintf ("A chain of %d rods", n);
   body = struct ("rod", rod, "model", struct ("modes", [0 1], "energy", "uniaxial"));
-  for k = 1:n
-    scene.bodies{k} = body;
-    joint = struct ("kind", "revolute", "bodies", [k, k-1], "stations", [0 0.1](1:1+(k > 1)));
-    scene.joints{k} = joint;
+  scene.bodies(1:n) = {body};
+  scene.joints{1} = struct ("kind", "revolute", "bodies", 1, "stations", 0);
+  for k = 2:n
+    scene.joints{k} = struct ("kind", "revolute", "bodies", [k, k-1], "stations", [0 0.1]);
   endfor
   scene.duration = 1;
   scene.solver.tolerance = 1e-6;

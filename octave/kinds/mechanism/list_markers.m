@@ -11,12 +11,13 @@ function mechanism = list_markers (mechanism, joints)
   mechanism.marker_of = zeros (numel (joints), 2);
   mechanism.ground = struct ("number", zeros (1, 0), "x", zeros (0, 1), "y", zeros (0, 1), ...
                              "angle", zeros (0, 1));
-  grounds = {};
+  on_ground = zeros (0, 2);  # joint, side
   for j = 1:numel (joints)
     for side = 1:2
-      [body, station] = deal (joints(j).bodies(side), joints(j).stations(side));
+      body = joints(j).bodies(side);
+      station = joints(j).stations(side);
       if (body == 0)
-        grounds{end+1} = [j, side];
+        on_ground(end+1,:) = [j, side];
         continue;
       endif
       number = find (known(:,1) == body & known(:,2) == station);
@@ -31,9 +32,10 @@ function mechanism = list_markers (mechanism, joints)
   mechanism.marker_station = known(:,2);
   mechanism.markers = grouped (known, mechanism);
   count = rows (known);
-  for at = grounds
-    j = at{1}(1);
-    mechanism.marker_of(j,at{1}(2)) = ++count;
+  for i = 1:rows (on_ground)
+    count++;
+    j = on_ground(i,1);
+    mechanism.marker_of(j,on_ground(i,2)) = count;
     mechanism.ground.number(end+1) = count;
     mechanism.ground.x(end+1,1) = joints(j).point(1);
     mechanism.ground.y(end+1,1) = joints(j).point(2);

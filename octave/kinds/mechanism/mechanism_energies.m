@@ -13,9 +13,7 @@ function E = mechanism_energies (mechanism, q, v)
     constants = group.arguments;
     [T, U, Z] = free_rod_energies (Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), ...
                                    Q(n+3,:), constants.inertia{:}, constants.potential{:}, group.model.arrays.mass);
-    for i = 1:3
-      E(i,:) += sum (reshape ({T, U, Z}{i}, bodies, []), 1);
-    endfor
+    E += [sum(reshape (T, bodies, []), 1); sum(reshape (U, bodies, []), 1); sum(reshape (Z, bodies, []), 1)];
   endfor
 endfunction
 

@@ -18,7 +18,7 @@ function [mass, jacobian, spring_jacobian] = mechanism_matrices (mechanism, d, a
 endfunction
 
 function mass = mass_matrix (mechanism, d)
-  [row, column, value] = deal ({});
+  row = column = value = {};
   for g = 1:numel (mechanism.groups)
     group = mechanism.groups(g);
     b = d.blocks{g};
@@ -28,12 +28,11 @@ function mass = mass_matrix (mechanism, d)
     own(1:n,1:n,:) = repmat (group.model.arrays.mass_matrix, [1 1 bodies]);
     last = [b.V_phi; b.phi_phi; b.phi_x; b.phi_y];
     own(:,n+1,:) = own(n+1,:,:) = reshape (last, R, 1, bodies);
-    for i = 2:3
-      own(1:n,n+i,:) = own(n+i,1:n,:) = reshape ({b.V_x, b.V_y}{i-1}, n, 1, bodies);
-      own(n+i,n+i,:) = group.model.arrays.mass;
-    endfor
-    [own(n+1,n+2,:), own(n+2,n+1,:)] = deal (reshape (b.phi_x, 1, 1, bodies));
-    [own(n+1,n+3,:), own(n+3,n+1,:)] = deal (reshape (b.phi_y, 1, 1, bodies));
+    own(1:n,n+2,:) = own(n+2,1:n,:) = reshape (b.V_x, n, 1, bodies);
+    own(1:n,n+3,:) = own(n+3,1:n,:) = reshape (b.V_y, n, 1, bodies);
+    own(n+2,n+2,:) = own(n+3,n+3,:) = group.model.arrays.mass;
+    own(n+1,n+2,:) = own(n+2,n+1,:) = reshape (b.phi_x, 1, 1, bodies);
+    own(n+1,n+3,:) = own(n+3,n+1,:) = reshape (b.phi_y, 1, 1, bodies);
     row{g} = repmat (reshape (group.index, R, 1, bodies), [1 R 1])(:);
     column{g} = repmat (reshape (group.index, 1, R, bodies), [R 1 1])(:);
     value{g} = own(:);

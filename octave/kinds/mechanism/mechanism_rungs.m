@@ -11,24 +11,48 @@
 function rungs = mechanism_rungs (scene, levels, longitudinal = longitudinal_modes (levels))
   rungs = {};
   for k = 1:numel (scene.bodies)
-    choice = scene.bodies(k).model;
-    if (ischar (choice.modes))
-      level = levels(k);
-      default_stiffening = {"foreshortening", "none"}{1 + ! isempty(scene.bodies(k).rod.curvature)};
-      along = longitudinal(k)*! strcmp (choice.axial, "none");
-      rung = struct ("sines", [along, level], "stiffening", strrep (choice.stiffening, "auto", default_stiffening));
-      rung.corrections = clamped_ends (scene, k)(1:end*(level > 0));
-      rung.elongations = elongations (scene, k)(1:end*(along > 0));
+    if (ischar (scene.bodies(k).model.modes))
+      rung = rung_of_level (scene, k, levels(k), longitudinal(k));
     else
-      rung = struct ("sines", double (choice.modes(:).'), "stiffening", strrep (choice.stiffening, "auto", "none"));
-      rung.sines(1) *= ! strcmp (choice.axial, "none");
-      rung.corrections = rung.elongations = [];
+      rung = stated_rung (scene.bodies(k).model);
     endif
     rung.bending = rung.sines(2) + numel (rung.corrections);
     rung.longitudinal = rung.sines(1) + numel (rung.elongations);
-    rung.axial = {"none", "dynamic"}{1 + (rung.longitudinal > 0)};
+    rung.axial = "none";
+    if (rung.longitudinal > 0)
+      rung.axial = "dynamic";
+    endif
     rungs{k} = rung;
   endfor
+endfunction
+
+function rung = stated_rung (choice)
+  rung.sines = double (choice.modes(:).');
+  if (strcmp (choice.axial, "none"))
+    rung.sines(1) = 0;
+  endif
+  rung.stiffening = strrep (choice.stiffening, "auto", "none");
+  rung.corrections = rung.elongations = [];
+endfunction
+
+function rung = rung_of_level (scene, k, level, longitudinal)
+  body = scene.bodies(k);
+  rung = struct ("sines", [longitudinal, level], "stiffening", body.model.stiffening);
+  if (strcmp (body.model.axial, "none"))
+    rung.sines(1) = 0;
+  endif
+  if (strcmp (rung.stiffening, "auto") && isempty (body.rod.curvature))
+    rung.stiffening = "foreshortening";
+  elseif (strcmp (rung.stiffening, "auto"))
+    rung.stiffening = "none";
+  endif
+  rung.corrections = rung.elongations = zeros (1, 0);
+  if (level > 0)
+    rung.corrections = clamped_ends (scene, k);
+  endif
+  if (rung.sines(1) > 0)
+    rung.elongations = elongations (scene, k);
+  endif
 endfunction
 
 ## -1: O, -2: the tip
@@ -37,8 +61,12 @@ function corrections = clamped_ends (scene, k)
   for joint = scene.joints(:).'
     if (any (strcmp (joint.kind, {"weld", "angle", "torsion_spring", "moment"})))
       stations = joint.stations(joint.bodies == k);
-      corrections = [corrections, repmat(-1, 1, any (stations == 0)), ...
-                     repmat(-2, 1, any (stations == scene.bodies(k).rod.length))];
+      if (any (stations == 0))
+        corrections(end+1) = -1;
+      endif
+      if (any (stations == scene.bodies(k).rod.length))
+        corrections(end+1) = -2;
+      endif
     endif
   endfor
   corrections = fliplr (unique (corrections));
@@ -47,7 +75,10 @@ endfunction
 ## numbers of the elongations by forces on the body's stations
 function numbers = elongations (scene, k)
   body = scene.bodies(k);
-  stations = body.rod.length(1:double (body.tip_mass > 0));
+  stations = [];
+  if (body.tip_mass > 0)
+    stations = body.rod.length;
+  endif
   for joint = scene.joints(:).'
     if (! any (strcmp (joint.kind, {"angle", "torsion_spring", "moment"})))
       stations = [stations, joint.stations(joint.bodies == k)];

@@ -8,7 +8,10 @@ function [numbers, orders] = value_size (joint)
   kinds = joint_kinds ();
   kind = kinds(strcmp ({kinds.name}, joint.kind));
   numbers = kind.values;
-  orders = 1 + 2*! isempty (kind.constraints);
+  orders = 1;
+  if (! isempty (kind.constraints))
+    orders = 3;
+  endif
 endfunction
 
 %!test

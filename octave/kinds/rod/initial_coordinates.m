@@ -7,8 +7,12 @@
 ## @end deftypefn
 
 function start = initial_coordinates (initial, model, phi_of_V)
-  [N1, N2] = deal (sum (model.base.longitudinal > 0), sum (model.base.transversal > 0));
-  most = {[N1 N2], [30 30]}{1 + isempty(model.rung.sines)};  # eigenmodes take what they can of 30 sines
+  N1 = sum (model.base.longitudinal > 0);
+  N2 = sum (model.base.transversal > 0);
+  most = [N1 N2];
+  if (isempty (model.rung.sines))
+    most = [30 30];  # eigenmodes take what they can of 30 sines
+  endif
   given = [padded(initial.V1, N1, most(1), "V1"), padded(initial.V1_dot, N1, most(1), "V1_dot")
            zeros(numel (model.base.longitudinal) - N1, 2)
            padded(initial.V2, N2, most(2), "V2"), padded(initial.V2_dot, N2, most(2), "V2_dot")
@@ -20,11 +24,13 @@ function start = initial_coordinates (initial, model, phi_of_V)
   endif
   coupling = model.whole_coupling_vector;
   mass = [model.whole_mass_matrix, coupling; coupling.', model.arrays.moment_of_inertia];
-  P = blkdiag (model.basis, 1);
-  if (! isempty (phi_of_V))
+  if (isempty (phi_of_V))
+    P = blkdiag (model.basis, 1);
+    start = (P.'*mass*P) \ (P.'*mass*given);
+  else
     P = [model.basis; phi_of_V.'];
+    start = [(P.'*mass*P) \ (P.'*mass*given); 0 0];
   endif
-  start = [(P.'*mass*P) \ (P.'*mass*given); zeros(! isempty (phi_of_V), 2)];
 endfunction
 
 function amplitudes = padded (given, n, most, name)

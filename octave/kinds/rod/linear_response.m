@@ -14,11 +14,12 @@ function [response, phi_dot] = linear_response (scene, model, rigid)
   n = columns (model.basis);
   constants = rod_constants (scene, model);
   a = model.arrays;
-  relation = -a.coupling_vector/a.moment_of_inertia;
+  phi_of_q = -a.coupling_vector/a.moment_of_inertia;
+  prescribed = [];
   if (! isempty (scene.rotation))
-    relation = -a.slope_2;
+    phi_of_q = prescribed = -a.slope_2;
   endif
-  P = [eye(n); relation.'];
+  P = [eye(n); phi_of_q.'];
   mass = diag (P.'*[a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia]*P);
   omega = sqrt (diag (a.stiffness_matrix)./mass);
 
@@ -32,10 +33,10 @@ function [response, phi_dot] = linear_response (scene, model, rigid)
     endif
     loads(:,k) = (P.'*[force_V - m*phi_ddot; force_phi - mm*phi_ddot])./mass;
   endfor
-  start = initial_coordinates (scene.initial, model, {relation, []}{1 + isempty(scene.rotation)});
+  start = initial_coordinates (scene.initial, model, prescribed);
   eta = oscillations (omega, scene.rod.damping*omega.^2, times, loads, [start(1:n,1); start(1:n,2)]);
   [along, across] = functions_at (model.base, linspace (0, model.length, 41).');
-  lever = linspace (0, model.length, 41).'*relation.';
+  lever = linspace (0, model.length, 41).'*phi_of_q.';
   size_of = max (abs ([along*model.basis; across*model.basis + lever]), [], 1).';
   response.omega = omega;
   response.largest = size_of.*max (abs (eta), [], 2);
@@ -59,7 +60,8 @@ function [phi, phi_dot] = rigid_motion (scene, model, times)
   [asked, ~, back] = unique (times);
   states = integrate (system, asked, struct ("name", "auto", "tolerance", 1e-3*scene.rod.length));
   motion = system.motion (times, states(:,back));
-  [phi, phi_dot] = deal (motion.phi, motion.phi_dot);
+  phi = motion.phi;
+  phi_dot = motion.phi_dot;
 endfunction
 
 ## eta_ddot + damping eta_dot + omega^2 eta = load, which is linear in time between the times
@@ -77,7 +79,8 @@ function eta = oscillations (omega, damping, times, loads, z)
       eta(:,k) = z(1:n);
       continue;
     endif
-    [from, change] = deal ([zeros(n, 1); loads(:,k-1)], [zeros(n, 1); loads(:,k) - loads(:,k-1)]);
+    from = [zeros(n, 1); loads(:,k-1)];
+    change = [zeros(n, 1); loads(:,k) - loads(:,k-1)];
     f = step.whole;
     z = f.free(:,1).*z + f.free(:,2).*z(step.swap) + f.phi1(:,1).*from + f.phi1(:,2).*from(step.swap) ...
         + f.phi2(:,1).*change + f.phi2(:,2).*change(step.swap);

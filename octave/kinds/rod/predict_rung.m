@@ -20,7 +20,10 @@ function [rung, why] = predict_rung (scene)
   rung = rigid;
   rung.bending = needed (response.largest(across), share);
   if (sum (response.largest(along)) > share && ! strcmp (scene.model.axial, "none"))
-    rung.axial = {"quasistatic", "dynamic"}{1 + (sum (response.beyond_static(along)) > share)};
+    rung.axial = "quasistatic";
+    if (sum (response.beyond_static(along)) > share)
+      rung.axial = "dynamic";
+    endif
   endif
   if (! strcmp (scene.model.axial, "auto"))
     rung.axial = scene.model.axial;
@@ -29,7 +32,8 @@ function [rung, why] = predict_rung (scene)
     rung.longitudinal = max (1, needed (response.largest(along), share));
   endif
 
-  [first, omega] = deal (response.largest(across(1)), response.omega(across(1)));
+  first = response.largest(across(1));
+  omega = response.omega(across(1));
   shift = first*max (abs (phi_dot))^2/omega*scene.duration/2 + (pi*first)^2/(4*scene.rod.length);
   if (strcmp (scene.model.stiffening, "foreshortening") || (shift > share && strcmp (scene.model.stiffening, "auto")))
     rung.stiffening = "foreshortening";

@@ -18,15 +18,23 @@ function drawing = rod_drawing (scene, model, history)
   drawing.moment_breaks = scene.moment_breaks;
   [body.x, body.y] = centreline (model, stations, history, scene.zoom);
   [body.rest_x, body.rest_y] = centreline (model, stations, history, 0);
-  body.half_height = [scene.rod.half_height, scene.rod.length/100](1);
+  body.half_height = scene.rod.half_height;
+  if (isempty (body.half_height))
+    body.half_height = scene.rod.length/100;
+  endif
   body.stress = bending_stress (scene.rod, model, stations, history.V);
   drawing.bodies = body;
   drawing.notes = stress_notes (scene.rod, body);
-  shape = {"pin", "hub"}(1 + ! isempty (scene.rotation));
-  drawing.hinges = struct ("x", zeros (size (history.t)), "y", zeros (size (history.t)), "shape", {shape});
+  drawing.hinges = struct ("x", zeros (size (history.t)), "y", zeros (size (history.t)), "shape", {{"pin"}});
+  if (! isempty (scene.rotation))
+    drawing.hinges.shape = {"hub"};
+  endif
   drawing.strips = rod_strips (history, drawing.moment, undeformed_tip (model));
   drawing.panels = rod_panels (history, undeformed_tip (model));
-  drawing.equations = {"hinged", {"straight", "curved"}{1 + ! isempty(scene.rod.curvature)}};
+  drawing.equations = {"hinged", "straight"};
+  if (! isempty (scene.rod.curvature))
+    drawing.equations = {"hinged", "curved"};
+  endif
 endfunction
 
 %!test

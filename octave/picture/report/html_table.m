@@ -12,14 +12,22 @@ function html = html_table (head, cells, chosen = 0)
   endif
   for row = 1:rows (cells)
     parts = cellfun (@cell_of, cells(row,:), "UniformOutput", false);
-    html = [html, {"<tr>", "<tr class=\"chosen\">"}{1 + (row == chosen)}, parts{:}, "</tr>\n"];
+    tag = "<tr>";
+    if (row == chosen)
+      tag = "<tr class=\"chosen\">";
+    endif
+    html = [html, tag, parts{:}, "</tr>\n"];
   endfor
   html = [html, "</table></div>\n"];
 endfunction
 
 function html = cell_of (value)
   if (isnumeric (value) && isscalar (value))
-    html = ["<td class=\"number\">" sprintf({"%.4g", "%d"}{1 + (value == fix (value))}, value) "</td>"];
+    digits = sprintf ("%.4g", value);
+    if (value == fix (value))
+      digits = sprintf ("%d", value);
+    endif
+    html = ["<td class=\"number\">" digits "</td>"];
   else
     html = ["<td>" html_escape(value) "</td>"];
   endif

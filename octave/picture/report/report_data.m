@@ -78,7 +78,8 @@ endfunction
 
 ## A hinge goes with the point of a body that it lies on in all frames, at any zoom; point counts from 0.
 function data = hinge_data (drawing, i, shown, unit)
-  [x, y] = deal (drawing.hinges.x(i,:), drawing.hinges.y(i,:));
+  x = drawing.hinges.x(i,:);
+  y = drawing.hinges.y(i,:);
   data = struct ("body", -1, "point", 0, "shape", "pin", ...
                  "ground", ! isfield (drawing.hinges, "ground") || drawing.hinges.ground(i));
   if (isfield (drawing.hinges, "shape"))
@@ -92,7 +93,8 @@ function data = hinge_data (drawing, i, shown, unit)
     distance = max (hypot (body.x(points,:) - x, body.y(points,:) - y), [], 2);
     [nearest, point] = min (distance);
     if (nearest < 40*unit)
-      [data.body, data.point] = deal (k - 1, point - 1);
+      data.body = k - 1;
+      data.point = point - 1;
       return;
     endif
   endfor

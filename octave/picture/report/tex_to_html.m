@@ -12,7 +12,10 @@ function html = tex_to_html (tex)
       terms = cellfun (@tex_to_mathml, terms_of (line{1}), "UniformOutput", false);
       html = [html, "<div class=\"formula\">", strjoin(terms, "\n"), "</div>\n"];
     else
-      tag = {"h3", "p"}{1 + strcmp(words{1}, "par ")};
+      tag = "h3";
+      if (strcmp (words{1}, "par "))
+        tag = "p";
+      endif
       html = [html, "<", tag, ">", with_symbols(words{2}), "</", tag, ">\n"];
     endif
   endfor

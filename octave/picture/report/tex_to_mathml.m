@@ -21,7 +21,9 @@ function [mathml, rest] = row_of (rest)
   over = [];
   while (! isempty (rest) && ! any (strcmp (rest{1}, {"}", "\\right"})))
     if (strcmp (rest{1}, "\\over"))
-      [over, parts, rest] = deal (row (parts), {}, rest(2:end));
+      over = row (parts);
+      parts = {};
+      rest = rest(2:end);
     else
       [parts{end+1}, rest] = scripted (rest);
     endif
@@ -32,7 +34,7 @@ function [mathml, rest] = row_of (rest)
   endif
 endfunction
 
-## an atom with what stands above and below it: a prime is above
+## an atom with what stands below and above it: a prime is above
 function [mathml, rest] = scripted (rest)
   mathml = "<mrow></mrow>";
   if (! any (strcmp (rest{1}, {"^", "_"})))
@@ -40,13 +42,17 @@ function [mathml, rest] = scripted (rest)
   endif
   scripts = {"", ""};
   while (! isempty (rest) && any (strcmp (rest{1}, {"^", "_", "'"})))
-    above = 1 + ! strcmp (rest{1}, "_");
-    if (strcmp (rest{1}, "'"))
-      [script, rest] = deal ("<mo>′</mo>", rest(2:end));
-    else
-      [script, rest] = atom_of (rest(2:end));
+    mark = rest{1};
+    rest(1) = [];
+    script = "<mo>′</mo>";
+    if (! strcmp (mark, "'"))
+      [script, rest] = atom_of (rest);
     endif
-    scripts{above} = [scripts{above}, script];
+    if (strcmp (mark, "_"))
+      scripts{1} = [scripts{1}, script];
+    else
+      scripts{2} = [scripts{2}, script];
+    endif
   endwhile
   filled = ! cellfun (@isempty, scripts);
   if (any (filled))
@@ -71,6 +77,7 @@ function [mathml, rest] = atom_of (rest)
   persistent operators = struct ("cdot", "·", "times", "×", "sum", "∑", "int", "∫");
   persistent accents = struct ("dot", "˙", "ddot", "¨", "bar", "¯");
   persistent functions = {"sin", "cos", "tan", "arctan"};
+  persistent spaces = {"\\!", ""; "\\,", "<mspace width=\"0.17em\"/>"; "\\;", "<mspace width=\"0.3em\"/>"};
   token = rest{1};
   rest(1) = [];
   name = regexprep (token, '^\\', "");
@@ -112,8 +119,8 @@ function [mathml, rest] = atom_of (rest)
       [script, rest] = atom_of (rest(2:end));
       mathml = ["<msup><mi>" name "</mi>" script "</msup>" applied];
     endif
-  elseif (any (strcmp (token, {"\\!", "\\,", "\\;"})))
-    mathml = {"", "<mspace width=\"0.17em\"/>", "<mspace width=\"0.3em\"/>"}{strfind("!,;", token(2))};
+  elseif (any (strcmp (token, spaces(:,1))))
+    mathml = spaces{strcmp(token, spaces(:,1)),2};
   elseif (! isempty (regexp (token, '^\d')))
     mathml = ["<mn>" token "</mn>"];
   elseif (isletter (token(1)))

@@ -11,8 +11,6 @@ function text = value_text (value)
     text = "none";
   elseif (ischar (value))
     text = value;
-  elseif (islogical (value) && isscalar (value))
-    text = {"false", "true"}{1 + value};
   elseif (iscell (value))
     text = strjoin (cellfun (@value_text, value(:).', "UniformOutput", false), ", ");
   elseif (isnumeric (value) || islogical (value))

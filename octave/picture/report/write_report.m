@@ -66,8 +66,10 @@ endfunction
 
 function html = model_text (summary)
   reason = field_or (summary, "model_reason", "");
-  html = ["<p><strong>" html_escape(field_or (summary, "model", "")) "</strong>"];
-  html = [html, html_escape(sprintf ({"", ": %s"}{1 + ! isempty (reason)}, reason)), ".</p>\n"];
+  if (! isempty (reason))
+    reason = [": " reason];
+  endif
+  html = ["<p><strong>" html_escape(field_or (summary, "model", "")) "</strong>" html_escape(reason) ".</p>\n"];
   tried = field_or (summary, "tried", []);
   if (! isempty (tried))
     names = fieldnames (tried).';
