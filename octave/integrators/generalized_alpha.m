@@ -28,9 +28,13 @@ function z = begun (z, n)
 endfunction
 
 function [z, converged] = step (t, z, c, rate)
-  [n, h] = deal (c.n, c.h);
-  [x, v, rest] = deal (z(1:n), z(n+1:2*n), z(2*n+1:end-2*n));
-  [a, v_dot] = deal (z(end-2*n+1:end-n), z(end-n+1:end));
+  n = c.n;
+  h = c.h;
+  x = z(1:n);
+  v = z(n+1:2*n);
+  rest = z(2*n+1:end-2*n);
+  a = z(end-2*n+1:end-n);
+  v_dot = z(end-n+1:end);
   now = rate (t, [x; v; rest]);
   if (any (isnan (a)))
     a = v_dot = now(n+1:2*n);

@@ -9,7 +9,8 @@
 
 function [states, steps] = integrate_dae (code, system, times, start, solver)
   steps = NaN;
-  [n, c] = deal (system.n, system.constraint_count);
+  n = system.n;
+  c = system.constraint_count;
   [a, lambda, at] = constrained_accelerations (system, times(1), start.q, start.v);
   y = [start.q; start.v; lambda; zeros(c, 1); start.W; start.D];
   y_dot = [start.v; a; zeros(2*c, 1); at.power + lambda.'*at.constraints.rate; at.dissipated];
@@ -33,8 +34,12 @@ function [states, steps] = integrate_dae (code, system, times, start, solver)
 endfunction
 
 function r = equations (t, y, y_dot, system)
-  [n, c] = deal (system.n, system.constraint_count);
-  [q, v, lambda, mu] = deal (y(1:n), y(n+1:2*n), y(2*n+1:2*n+c), y(2*n+c+1:2*n+2*c));
+  n = system.n;
+  c = system.constraint_count;
+  q = y(1:n);
+  v = y(n+1:2*n);
+  lambda = y(2*n+1:2*n+c);
+  mu = y(2*n+c+1:2*n+2*c);
   at = system.at (t, q, v);
   r = [system.inertia(at, y_dot(1:n) - v) + system.reaction(at, mu)
        system.inertia(at, y_dot(n+1:2*n)) - at.force + system.reaction(at, lambda)

@@ -35,7 +35,8 @@ function [states, steps] = march (method, system, times, y, solver, h)
     stop_integration (name, system, times(1), times(end), h, what, "a longer step or a larger tolerance");
   endif
   states = repmat (y, 1, numel (times));
-  [steps, made_for] = deal (0, NaN);
+  steps = 0;
+  made_for = NaN;
   for k = 2:numel (times)
     m = ceil ((times(k) - times(k-1))/h*(1 - 1e-9));
     length = (times(k) - times(k-1))/m;

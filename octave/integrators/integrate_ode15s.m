@@ -20,7 +20,8 @@ function [states, steps] = integrate_ode15s (system, times, y, solver)
     if (isempty (strfind (err.message, "IDA")))
       rethrow (err);
     endif
-    [t, states] = deal (times(1), y.');
+    t = times(1);
+    states = y.';
     cause = "IDA gave up, at its step limit or at its smallest step";
   end_try_catch
   warning (warning_state);

@@ -18,14 +18,17 @@ function modal = modal_form (system, stiffness)
     damping = reshape (diag (X \ (system.mass \ (system.damping_matrix*X))), n, 1);  # of a rigid rod: 0-by-1
   endif
   modal = struct ("n", n, "omega", sqrt (squares), "damping", damping, "X", X);
-  [position, velocity] = deal (1:n, n+1:2*n);
+  position = 1:n;
+  velocity = n+1:2*n;
   state = eye (numel (system.initial_state));
   stiff = 0*state;
   state(position,position) = X;
   state(velocity,velocity) = system.velocity_matrix*X;
   stiff(position,velocity) = eye (n);
   stiff(velocity,[position, velocity]) = -[diag(squares), diag(damping)];
-  [form, state, stiff] = deal (sparse (inv (state).'), sparse (state.'), sparse (stiff.'));
+  form = sparse (inv (state).');
+  state = sparse (state.');
+  stiff = sparse (stiff.');
   ## full times sparse: in this order it is fast
   modal.state = @(z) (z.'*state).';
   modal.form = @(y) (y.'*form).';

@@ -13,7 +13,8 @@ function stepper = stormer_verlet (system, h, solver)
 endfunction
 
 function [z, converged] = step (t, z, h, n, rate)
-  [x, P] = deal (1:n, n+1:2*n);
+  x = 1:n;
+  P = n+1:2*n;
   rest = 2*n+1:numel (z);
   start = z;
   [z, first] = settled (z, P, @(here) start(P) + h/2*rate (t, here)(P));

@@ -27,7 +27,9 @@ endfunction
 function [e, e_slope, chi, bend] = straight (base, xi)
   [j1, xi1] = meshgrid (base.longitudinal, xi);
   [j2, xi2] = meshgrid (base.transversal, xi);
-  [none_1, none_2, l] = deal (zeros (size (j1)), zeros (size (j2)), base.length);
+  none_1 = zeros (size (j1));
+  none_2 = zeros (size (j2));
+  l = base.length;
   e = [rod_slope_longitudinal(j1, xi1, l), none_2];
   e_slope = [rod_curvature_longitudinal(j1, xi1, l), none_2];
   chi = [none_1, rod_slope_transversal(j2, xi2, l)];

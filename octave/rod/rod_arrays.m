@@ -10,9 +10,13 @@
 ## @end deftypefn
 
 function arrays = rod_arrays (base, section, shortening)
-  [rhoA, rhoI, length] = deal (section.rhoA, section.rhoI, base.length);
-  [j1, j2] = deal (base.longitudinal(:), base.transversal(:));
-  [N1, N2] = deal (numel (j1), numel (j2));
+  rhoA = section.rhoA;
+  rhoI = section.rhoI;
+  length = base.length;
+  j1 = base.longitudinal(:);
+  j2 = base.transversal(:);
+  N1 = numel (j1);
+  N2 = numel (j2);
   [k11, j11] = meshgrid (j1, j1);
   [k12, j12] = meshgrid (j2, j1);
   [k22, j22] = meshgrid (j2, j2);

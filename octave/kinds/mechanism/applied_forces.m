@@ -6,7 +6,7 @@
 
 function [F, power] = applied_forces (mechanism, t, at)
   k = numel (t);
-  [F.x, F.y, F.angle] = deal (zeros (mechanism.marker_count, k));
+  F.x = F.y = F.angle = zeros (mechanism.marker_count, k);
   power = zeros (1, k);
   for load = mechanism.loads
     f = zeros (3, k);

@@ -10,7 +10,10 @@ function f = inertia_times (mechanism, d, a)
     b = d.blocks{g};
     n = rows (group.index) - 3;
     A = reshape (a(group.index,:), n + 3, []);
-    [V, phi, x, y] = deal (A(1:n,:), A(n+1,:), A(n+2,:), A(n+3,:));
+    V = A(1:n,:);
+    phi = A(n+1,:);
+    x = A(n+2,:);
+    y = A(n+3,:);
     mass = group.model.arrays.mass;
     product = [group.model.arrays.mass_matrix*V + b.V_phi.*phi + b.V_x.*x + b.V_y.*y
                sum(b.V_phi.*V, 1) + b.phi_phi.*phi + b.phi_x.*x + b.phi_y.*y

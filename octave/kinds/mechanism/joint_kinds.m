@@ -26,7 +26,9 @@
 ## @end deftypefn
 
 function kinds = joint_kinds ()
-  [x, y, a] = deal (@constraint_horizontal, @constraint_vertical, @constraint_angle);
+  x = @constraint_horizontal;
+  y = @constraint_vertical;
+  a = @constraint_angle;
   rows = {
     "revolute",       {x, y},             {},              [], 0
     "weld",           {x, y, a},          {},              [], 0

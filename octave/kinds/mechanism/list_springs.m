@@ -14,7 +14,7 @@ function [springs, loads] = list_springs (mechanism, joints)
     endif
   endfor
   springs = list_constraints (mechanism, joints, "springs");
-  [springs.stiffness, springs.damping] = deal (zeros (0, 1));
+  springs.stiffness = springs.damping = zeros (0, 1);
   loads = struct ([]);
   if (springs.count > 0)
     springs.stiffness = vertcat (joints(springs.joint).stiffness);

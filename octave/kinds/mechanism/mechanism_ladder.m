@@ -30,7 +30,8 @@ endfunction
 function [least, most] = limits_of (scene)
   least = most = struct ("bending", zeros (1, numel (scene.bodies)), "longitudinal", zeros (1, numel (scene.bodies)));
   for k = 1:numel (scene.bodies)
-    [model, initial] = deal (scene.bodies(k).model, scene.bodies(k).initial);
+    model = scene.bodies(k).model;
+    initial = scene.bodies(k).initial;
     if (ischar (model.modes))
       least.bending(k) = max (numel (initial.V2), numel (initial.V2_dot));
       least.longitudinal(k) = max (numel (initial.V1), numel (initial.V1_dot));
@@ -64,12 +65,14 @@ endfunction
 
 ## Inf where the constraints would depend on each other at the start
 function metres = left_out_of (reference, rung, part, open)
-  [models, k] = deal (reference.model.models, part.body);
+  models = reference.model.models;
+  k = part.body;
   order = struct ("longitudinal", 1, "bending", 2).(part.kind);
   metres = left_out (models{k}, reference.history.bodies(k).V, order, rung.(part.kind)(k));
   kept = true (1, reference.model.n);
   for k = find (open)
-    [numbers_1, numbers_2] = deal (models{k}.base.longitudinal, models{k}.base.transversal);
+    numbers_1 = models{k}.base.longitudinal;
+    numbers_2 = models{k}.base.transversal;
     kept(index_of (reference.model, k)(1:end-3)) = [has(numbers_1, rung.longitudinal(k)), ...
                                                         has(numbers_2, rung.bending(k))];
   endfor

@@ -44,7 +44,7 @@ function system = mechanism_system (scene, mechanism)
       system.damping_matrix(index(1:n),index(1:n)) = group.model.damping*group.model.arrays.stiffness_matrix;
     endfor
   endfor
-  [q, v] = deal (zeros (system.n, 1));
+  q = v = zeros (system.n, 1);
   system.mass = mechanism_matrices (mechanism, rod_dynamics (mechanism, q, v));
   system.at = @(t, q, v) everything (mechanism, t, q, v);
   system.inertia = @(at, a) inertia_times (mechanism, at.rods, a);

@@ -21,7 +21,8 @@ function [q, lambda] = static_equilibrium (system, q)
     step = -J \ r;
     z += step*min (1, 0.3/max (abs (step(1:n))./system.q_scale));
     if (max (abs (step(1:n))) < 1e-12)
-      [q, lambda] = deal (z(1:n), z(n+1:end));
+      q = z(1:n);
+      lambda = z(n+1:end);
       return;
     endif
   endfor
@@ -30,7 +31,8 @@ function [q, lambda] = static_equilibrium (system, q)
 endfunction
 
 function r = residual (system, z)
-  [q, lambda] = deal (z(1:system.n), z(system.n+1:end));
+  q = z(1:system.n);
+  lambda = z(system.n+1:end);
   at = system.at (0, q, 0*q);
   r = [at.force - system.reaction(at, lambda); at.constraints.residual];
 endfunction

@@ -26,7 +26,7 @@ function dropped = dropped_error (scene, model, history)
     if (! strcmp (err.identifier, "toolchain:integration"))
       rethrow (err);
     endif
-    [dropped.metres, dropped.bound] = deal (model.length);
+    dropped.metres = dropped.bound = model.length;
     return;
   end_try_catch
   [own_x, own_y] = centreline (model, stations, history, 1);

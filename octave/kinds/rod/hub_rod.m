@@ -39,7 +39,8 @@ function system = hub_rod (scene, model)
 endfunction
 
 function found = motion (times, states, n, c)
-  [found.q, found.q_dot] = deal (states(1:n,:), states(n+1:2*n,:));
+  found.q = states(1:n,:);
+  found.q_dot = states(n+1:2*n,:);
   theta = at_times (c.rotation, times);
   [found.phi, found.phi_dot] = rod_in_hub (theta(1,:), theta(2,:), found.q, found.q_dot, c.slopes{:});
   [~, found.torque] = hub_rod_rate (times, states, times([1 end]), n, c);

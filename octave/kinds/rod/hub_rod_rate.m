@@ -9,7 +9,9 @@
 
 function [y_dot, torque] = hub_rod_rate (t, y, interval, n, c)
   t = min (max (t, interval(1)), interval(2));
-  [V, V_dot, theta] = deal (y(1:n,:), y(n+1:2*n,:), at_times (c.rotation, t));
+  V = y(1:n,:);
+  V_dot = y(n+1:2*n,:);
+  theta = at_times (c.rotation, t);
   [phi, phi_dot, gradient, acceleration] = rod_in_hub (theta(1,:), theta(2,:), V, V_dot, c.slopes{:});
   c.interval = interval;
   [mass_V_phi, mass_phi_phi, force_V, force_phi, power, dissipated, more_power] = rod_forces (

@@ -8,8 +8,12 @@
 function y_dot = literal_rod_rate (t, y, scene, modes)
   n = sum (modes);
   prefix = sprintf ("literal_%d_%d_", modes);
-  [V1, V2, phi] = deal (y(1:modes(1)), y(modes(1)+1:n), y(n+1));
-  [V1_dot, V2_dot, phi_dot] = deal (y(n+1+(1:modes(1))), y(n+1+(modes(1)+1:n)), y(2*n+2));
+  V1 = y(1:modes(1));
+  V2 = y(modes(1)+1:n);
+  phi = y(n+1);
+  V1_dot = y(n+1+(1:modes(1)));
+  V2_dot = y(n+1+(modes(1)+1:n));
+  phi_dot = y(2*n+2);
   rod = scene.rod;
   constants = {rod.length, rod.width, rod.half_height, rod.lambda, rod.mu, rod.density, ...
                double(scene.model.rotary_inertia)};

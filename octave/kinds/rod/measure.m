@@ -31,7 +31,9 @@ function history = measure (system, model, times, states)
   E = system.energies (motion.phi, motion.phi_dot, motion.q, motion.q_dot);
   [T, U, Z, W] = rod_pulled_followers (motion.phi, motion.phi_dot, system.gravity, F{:}, a.follower_fd, ...
                                        a.follower_fs, a.follower_ff);
-  [history.T, history.U, history.Z] = deal (E(1,:) + T, E(2,:) + U, E(3,:) + Z);
+  history.T = E(1,:) + T;
+  history.U = E(2,:) + U;
+  history.Z = E(3,:) + Z;
   history.V_names = mode_names (model.base);
   [history.tip_x, history.tip_y] = centreline (model, model.length, history, 1);
   history.W = states(end-1,:) + W;

@@ -16,7 +16,8 @@ function momenta = momenta_of_rod (n, c, mass, stiffness)
 endfunction
 
 function z_dot = rate (t, z, interval, n, c)
-  [V, phi] = deal (z(1:n,:), z(n+1,:));
+  V = z(1:n,:);
+  phi = z(n+1,:);
   t = min (max (t, interval(1)), interval(2));
   [V_dot, phi_dot] = rod_velocities (phi, z(2*n+2,:), V, z(n+2:2*n+1,:), c.velocity_arguments{:});
   [force_V, torque, power, dissipated] = rod_momentum_rates (phi, phi_dot, V, V_dot, c.arguments{:}, ...
@@ -25,7 +26,9 @@ function z_dot = rate (t, z, interval, n, c)
     F = num2cell (force_at (t, c), 2);
     [load_V, load_phi, load_power] = rod_point_force (phi, phi_dot, V, V_dot, c.energy_arguments{8}, F{:}, ...
                                                       c.force_arguments{:});
-    [force_V, torque, power] = deal (force_V + load_V, torque + load_phi, power + load_power);
+    force_V += load_V;
+    torque += load_phi;
+    power += load_power;
   endif
   z_dot = [V_dot; phi_dot; force_V; torque; power; dissipated];
 endfunction
@@ -36,7 +39,9 @@ function y = state (z, n, c)
 endfunction
 
 function z = form (y, n, c)
-  [V, phi, V_dot] = deal (y(1:n,:), y(n+1,:), y(n+2:2*n+1,:));
+  V = y(1:n,:);
+  phi = y(n+1,:);
+  V_dot = y(n+2:2*n+1,:);
   no_moment = zeros (size (phi));
   [~, phi_dot] = rod_rates (phi, y(2*n+2,:), V, V_dot, c.inverse_mass_matrix, c.arguments{:}, no_moment, c.slopes{:});
   mass_V_phi = rod_equations (phi, phi_dot, V, V_dot, c.arguments{:}, no_moment, c.slopes{:});

@@ -52,7 +52,8 @@ function deflection = kept_deflection (model, motion, projector)
   history = struct ("phi", motion.phi, "q", motion.q);
   if (rows (projector) > rows (motion.q))
     kept = projector*[motion.q; motion.phi];
-    [history.q, history.phi] = deal (kept(1:end-1,:), kept(end,:));
+    history.q = kept(1:end-1,:);
+    history.phi = kept(end,:);
   else
     history.q = projector*motion.q;
   endif

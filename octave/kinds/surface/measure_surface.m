@@ -7,12 +7,15 @@
 
 function history = measure_surface (system, scene, times, states)
   n = system.n;
-  [z, z_dot] = deal (states(1:n,:), states(n+1:2*n,:));
+  z = states(1:n,:);
+  z_dot = states(n+1:2*n,:);
   history.t = times;
   history.q = system.place.start + system.place.basis*z;
   history.q_names = [numbered("alpha1", system.numbers, 1), numbered("alpha2", system.numbers, 2)];
   E = system.energies (z, z_dot);
-  [history.T, history.U, history.Z] = deal (E(1,:), E(2,:), E(3,:));
+  history.T = E(1,:);
+  history.U = E(2,:);
+  history.Z = E(3,:);
   history.angular_momentum = E(4:6,:);
   history.W = states(2*n+1,:);
   history.D = zeros (size (times));

@@ -20,7 +20,8 @@ endfunction
 
 ## the centreline without its last polynomials
 function metres = left_out_of (reference, rung)
-  [history, model] = deal (reference.history, reference.model.numbers);
+  history = reference.history;
+  model = reference.model.numbers;
   length = sum (reference.model.weights);
   stations = linspace (0, length, rows (history.x)).';
   number = [0:model.modes(1)-1, 0:model.modes(2)-1].';

@@ -126,7 +126,8 @@ endfunction
 function y_dot = rate (t, y, interval, system)
   n = system.n;
   t = min (max (t, interval(1)), interval(2));
-  [z, z_dot] = deal (y(1:n,:), y(n+1:2*n,:));
+  z = y(1:n,:);
+  z_dot = y(n+1:2*n,:);
   R = system.residual (t, z, z_dot, zeros (size (z)));
   for k = 1:columns (y)
     z_ddot(:,k) = -(system.mass_matrix (z(:,k)) \ R(:,k));
