@@ -6,10 +6,10 @@
 ## given.
 ## @end deftypefn
 
-function refuse_dependent (system, t, jacobian, tolerance = [])
+function refuse_dependent (system, t, jacobian, tolerance = 1e-10)
   [~, R, order] = qr (full (jacobian.'), 0);
   sizes = abs (diag (R));
-  rank = sum (sizes > [tolerance, 1e-10](1)*max ([sizes; 0]));
+  rank = sum (sizes > tolerance*max ([sizes; 0]));
   spare = order(rank+1:end);
   if (! isempty (spare))
     names = strjoin (unique (system.mechanism.constraints.names(spare)), ", ");
@@ -19,7 +19,7 @@ function refuse_dependent (system, t, jacobian, tolerance = [])
     endif
     stop_integration ("mechanism", system, t, system.duration, NaN, ["it came to a singular position: " what], ...
                       "a motion that does not come there, or joints that leave it a way on");
-  elseif (t > 0 && isempty (tolerance))
+  elseif (t > 0 && nargin < 4)
     stop_integration ("mechanism", system, t, system.duration, NaN, "its equations have no unique solution", ...
                       "other joints");
   endif

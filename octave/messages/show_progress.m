@@ -7,7 +7,10 @@
 function show_progress (text)
   persistent shown = 0;
   if (on_terminal () && (shown > 0 || ! isempty (text)))
-    room = [80, terminal_size()(2)](1 + (terminal_size ()(2) > 0)) - 1;
+    room = terminal_size ()(2) - 1;
+    if (room < 0)  # it is not known
+      room = 79;
+    endif
     text = text(1:min (end, room));
     printf ("\r%s\r%s", blanks (min (shown, room)), text);
     fflush (stdout);

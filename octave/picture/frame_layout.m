@@ -22,7 +22,10 @@ function layout = frame_layout (drawing)
     layout.strip_height = min (180, 0.45*high/max (strips, 1) - 30);
     layout.scene_right = 150;
     layout.scene_top = 125;
-    layout.scene_bottom = 65 + (strips > 0)*(strips*(layout.strip_height + 30) + 75);
+    layout.scene_bottom = 65;
+    if (strips > 0)
+      layout.scene_bottom += strips*(layout.strip_height + 30) + 75;
+    endif
     layout.strip_left = frame(1)/layout.unit - 95;
   else
     layout.unit = min (frame./[1280 720]);

@@ -11,7 +11,10 @@ function [label, values] = scaled_panel (panel)
     [scale, unit] = unit_prefix (values, unit);
     values /= scale;
   endif
-  label = strjoin ({panel.label, unit}(1:1 + ! isempty (unit)), ", ");
+  label = panel.label;
+  if (! isempty (unit))
+    label = [label ", " unit];
+  endif
 endfunction
 
 %!test

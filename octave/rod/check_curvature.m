@@ -11,7 +11,7 @@ function check_curvature (rod, of)
                  num2str (breaks(:).'), rod.length);
   endif
   largest = max (abs (rod_axis (rod, 16).kappa));
-  if ([rod.half_height, 0](1)*largest >= 1)
+  if (! isempty (rod.half_height) && rod.half_height*largest >= 1)
     scene_error ("%srod.curvature reaches %.3g 1/m: with a half_height of %g m it takes less than %.3g", ...
                  of, largest, rod.half_height, 1/rod.half_height);
   endif

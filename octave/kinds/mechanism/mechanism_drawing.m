@@ -12,7 +12,10 @@ function drawing = mechanism_drawing (scene, mechanism, history)
     model = mechanism.models{k};
     rod = scene.bodies(k).rod;
     stations = linspace (0, model.length, 41).';
-    body = struct ("half_height", [rod.half_height, rod.length/100](1));
+    body = struct ("half_height", rod.half_height);
+    if (isempty (rod.half_height))
+      body.half_height = rod.length/100;
+    endif
     [body.x, body.y] = body_centreline (model, stations, history.bodies(k), scene.zoom);
     [body.rest_x, body.rest_y] = body_centreline (model, stations, history.bodies(k), 0);
     body.stress = bending_stress (rod, model, stations, history.bodies(k).V);
@@ -23,7 +26,13 @@ function drawing = mechanism_drawing (scene, mechanism, history)
   drawing.strips = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions"});
   drawing.panels = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions", "energies"});
   curved = arrayfun (@(body) ! isempty (body.rod.curvature), scene.bodies);
-  drawing.equations = [{"mechanism"}, {"straight", "curved"}([! all(curved), any(curved)])];
+  drawing.equations = {"mechanism"};
+  if (! all (curved))
+    drawing.equations{end+1} = "straight";
+  endif
+  if (any (curved))
+    drawing.equations{end+1} = "curved";
+  endif
 endfunction
 
 ## where joints with a point are

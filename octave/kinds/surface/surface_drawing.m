@@ -11,7 +11,10 @@ function drawing = surface_drawing (system, scene, history)
                     "frame_size", scene.frame_size, "zoom", 1, "gravity", scene.gravity, ...
                     "moment", zeros (1, frames), "moment_breaks", scene.moment_breaks);
   ## A little towards the rod's side of the surface, which would hide it.
-  lift = scene.rod.half_height*(scene.surface.side + (scene.surface.side == 0));
+  lift = scene.rod.half_height*scene.surface.side;
+  if (scene.surface.side == 0)
+    lift = scene.rod.half_height;
+  endif
   rod = struct ("x", history.x + lift*history.n_1, "y", history.y + lift*history.n_2, ...
                 "z", history.z + lift*history.n_3);
   patch = surface_patch (system, scene, history);

@@ -1,10 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{html} =} html_table (@var{head}, @var{cells}, @var{chosen})
 ## A table of HTML: the names of its columns @var{head} (1-by-n cellstr, or @{@} for none), and @var{cells} (m-by-n
-## texts or numbers, as they are: they are escaped here). The row @var{chosen} (0 for none) stands out.
+## texts or numbers, as they are: they are escaped here). The row @var{chosen} ([] for none) stands out.
 ## @end deftypefn
 
-function html = html_table (head, cells, chosen = 0)
+function html = html_table (head, cells, chosen = [])
   html = "<div class=\"wide\"><table>\n";
   if (! isempty (head))
     titles = cellfun (@(name) ["<th scope=\"col\">" html_escape(name) "</th>"], head, "UniformOutput", false);
@@ -13,7 +13,7 @@ function html = html_table (head, cells, chosen = 0)
   for row = 1:rows (cells)
     parts = cellfun (@cell_of, cells(row,:), "UniformOutput", false);
     tag = "<tr>";
-    if (row == chosen)
+    if (isequal (row, chosen))
       tag = "<tr class=\"chosen\">";
     endif
     html = [html, tag, parts{:}, "</tr>\n"];
