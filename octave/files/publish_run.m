@@ -57,27 +57,23 @@ endfunction
 %!  fid = fopen (file, "w"); fputs (fid, text); fclose (fid);
 %!endfunction
 
+%!function publish_thrice (folder)
+%!  leave (fullfile (folder, "own.txt"), "own");
+%!  publish_run (folder, {"a", "b"}, @(aside) cellfun (@(name) leave (fullfile (aside, name), "1"), {"a", "b"}));
+%!  try, publish_run (folder, {"a", "b"}, @(aside) error ("no")); catch, end_try_catch
+%!  assert (fileread (fullfile (folder, "b")), "1");
+%!  publish_run (folder, {"a", "b"}, @(aside) leave (fullfile (aside, "a"), "2"));
+%!  assert (fileread (fullfile (folder, "a")), "2");
+%!  assert (sort ({dir(folder).name}), {".", "..", "a", "own.txt"});
+%!endfunction
 %!test # a run that fails leaves the last one; one that succeeds removes what it did not write
-%! folder = tempname (); mkdir (folder); leave (fullfile (folder, "own.txt"), "own");
-%! confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   publish_run (folder, {"a", "b"}, @(aside) cellfun (@(name) leave (fullfile (aside, name), "1"), {"a", "b"}));
-%!   try, publish_run (folder, {"a", "b"}, @(aside) error ("no")); catch, end_try_catch
-%!   assert (fileread (fullfile (folder, "b")), "1");
-%!   publish_run (folder, {"a", "b"}, @(aside) leave (fullfile (aside, "a"), "2"));
-%!   assert (fileread (fullfile (folder, "a")), "2");
-%!   assert (sort ({dir(folder).name}), {".", "..", "a", "own.txt"});
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! in_scratch (@(folder, scratch) publish_thrice (scratch));
+%!function publish_beside_others (folder)
+%!  gone = fullfile (folder, ".partial-99999999-abcdef"); mkdir (gone);
+%!  alive = fullfile (folder, sprintf (".partial-%d-abcdef", getpid ())); mkdir (alive);
+%!  publish_run (folder, {}, @(aside) 0);
+%!  assert ([isfolder(gone), isfolder(alive)], [false, true]);
+%!endfunction
 %!test # what a killed run has left goes, what a living one writes stays
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   gone = fullfile (folder, ".partial-99999999-abcdef"); mkdir (gone);
-%!   alive = fullfile (folder, sprintf (".partial-%d-abcdef", getpid ())); mkdir (alive);
-%!   publish_run (folder, {}, @(aside) 0);
-%!   assert ([isfolder(gone), isfolder(alive)], [false, true]);
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! in_scratch (@(folder, scratch) publish_beside_others (scratch));
 %!error <cannot be made|can be written> publish_run ("/proc/nowhere", {}, @(aside) 0)

@@ -62,8 +62,8 @@ function [states, steps] = march (method, system, times, y, solver, h)
 endfunction
 
 %!test # the step follows from the tolerance, or is the given one
-%! scene = check_scene (setfield (setfield (paper (), "model", "modes", [0 1]), "duration", 0.4));
-%! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
+%! [scene, model] = sample_rod ([0 1], "duration", 0.4);
+%! system = hinged_rod (scene, model);
 %! solver = struct ("name", "auto", "tolerance", 1e-8, "step", [], "rho_infinity", 0.8);
 %! reference = integrate (system, [0 0.2 0.4], solver);
 %! solver.tolerance = 1e-5;

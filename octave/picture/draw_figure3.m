@@ -35,22 +35,13 @@ function job = draw_figure3 (drawing, scratch)
   job = start_gnuplot (scratch, "figure3.gp");
 endfunction
 
-%!function check_files (draw, drawing, names)
-%!  folder = tempname ();
-%!  mkdir (folder);
-%!  mkdir (fullfile (folder, "scratch"));
-%!  unwind_protect
-%!    finish_tool (draw (drawing, fullfile (folder, "scratch")));
-%!    for name = names
-%!      assert (stat (fullfile (folder, name{1})).size > 1000);
-%!    endfor
-%!  unwind_protect_cleanup
-%!    confirm_recursive_rmdir (false, "local");
-%!    rmdir (folder, "s");
-%!  end_unwind_protect
+%!function check_files (drawing, folder, scratch)
+%!  finish_tool (draw_figure3 (drawing, scratch));
+%!  for name = {"figure3.svg", "figure3.png", "figure3.pdf"}
+%!    assert (stat (fullfile (folder, name{1})).size > 1000);
+%!  endfor
 %!endfunction
 
-%!test
-%! check_files (@draw_figure3, sample_drawing (30), {"figure3.svg", "figure3.png", "figure3.pdf"});
+%!test in_scratch (@(folder, scratch) check_files (sample_drawing (30), folder, scratch));
 %!test # a single frame
-%! check_files (@draw_figure3, sample_drawing (1), {"figure3.svg"});
+%! in_scratch (@(folder, scratch) check_files (sample_drawing (1), folder, scratch));

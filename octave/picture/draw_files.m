@@ -31,14 +31,12 @@ function missing = draw_files (folder, draw, files)
   endfor
 endfunction
 
-%!function found = drawn (draw, files)   # what is missing of the files, and what is there
-%!  folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%!  unwind_protect
-%!    missing = draw_files (folder, draw, files);
-%!    found = {missing(:,1).', missing(:,2).', setdiff({dir(folder).name}, {".", ".."})};
-%!  unwind_protect_cleanup
-%!    rmdir (folder, "s");
-%!  end_unwind_protect
+%!function found = drawn_in (folder, draw, files)   # what is missing of the files, and what is there
+%!  missing = draw_files (folder, draw, files);
+%!  found = {missing(:,1).', missing(:,2).', setdiff({dir(folder).name}, {".", "..", "scratch"})};
+%!endfunction
+%!function found = drawn (draw, files)
+%!  found = in_scratch (@(folder, scratch) drawn_in (folder, draw, files));
 %!endfunction
 %!function job = svg (scratch, text)
 %!  job = start_tool (scratch, "gnuplot", ["echo '" text "' > ../a.svg; echo '<svg>' > ../b.svg"]);

@@ -29,27 +29,19 @@ function jobs = draw_frames (drawing, scratch)
                        @(frame, first) with_path (data, frame, first, path, pieces));
 endfunction
 
-%!function sizes_are_right (drawing, pixels)
-%!  folder = tempname ();
-%!  mkdir (folder);
-%!  mkdir (fullfile (folder, "scratch"));
-%!  unwind_protect
-%!    arrayfun (@finish_tool, draw_frames (drawing, fullfile (folder, "scratch")));
-%!    for frame = 1:numel (drawing.time)
-%!      information = imfinfo (fullfile (folder, "frames", sprintf ("frame_%04d.png", frame)));
-%!      assert ([information.Width, information.Height], pixels);
-%!    endfor
-%!  unwind_protect_cleanup
-%!    confirm_recursive_rmdir (false, "local");
-%!    rmdir (folder, "s");
-%!  end_unwind_protect
+%!function check_sizes (drawing, pixels, folder, scratch)
+%!  arrayfun (@finish_tool, draw_frames (drawing, scratch));
+%!  for frame = 1:numel (drawing.time)
+%!    information = imfinfo (fullfile (folder, "frames", sprintf ("frame_%04d.png", frame)));
+%!    assert ([information.Width, information.Height], pixels);
+%!  endfor
 %!endfunction
 %!test # more frames than processors
-%! sizes_are_right (sample_drawing (5), [1280 720]);
+%! in_scratch (@(folder, scratch) check_sizes (sample_drawing (5), [1280 720], folder, scratch));
 %!test # bodies that are pinned together, and bodies that are free, with nothing beside them
-%! sizes_are_right (sample_bodies (2), [1280 720]);
+%! in_scratch (@(folder, scratch) check_sizes (sample_bodies (2), [1280 720], folder, scratch));
 %! drawing = sample_bodies (1);
 %! drawing.hinges = struct ("x", zeros (0, 1), "y", zeros (0, 1));
 %! drawing.strips = [];
 %! drawing.frame_size = [400 600];
-%! sizes_are_right (drawing, [400 600]);
+%! in_scratch (@(folder, scratch) check_sizes (drawing, [400 600], folder, scratch));

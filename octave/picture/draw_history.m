@@ -58,17 +58,12 @@ function tics = decade_tics (range)
   tics = tics(tics >= 0.999*range(1) & tics <= 1.001*range(2));
 endfunction
 
+%!function text = drawn (drawing, folder, scratch)
+%!  finish_tool (draw_history (drawing, scratch));
+%!  text = fileread (fullfile (folder, "history.svg"));
+%!endfunction
 %!function text = history_of (drawing)
-%!  folder = tempname ();
-%!  mkdir (folder);
-%!  mkdir (fullfile (folder, "scratch"));
-%!  unwind_protect
-%!    finish_tool (draw_history (drawing, fullfile (folder, "scratch")));
-%!    text = fileread (fullfile (folder, "history.svg"));
-%!  unwind_protect_cleanup
-%!    confirm_recursive_rmdir (false, "local");
-%!    rmdir (folder, "s");
-%!  end_unwind_protect
+%!  text = in_scratch (@(folder, scratch) drawn (drawing, folder, scratch));
 %!endfunction
 
 %!test

@@ -12,14 +12,10 @@ function job = draw_surface_figure (drawing, scratch)
   job = start_gnuplot (scratch, "surface.gp");
 endfunction
 
-%!test
-%! folder = tempname (); mkdir (folder); mkdir (fullfile (folder, "scratch"));
-%! confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   finish_tool (draw_surface_figure (sample_surface (3), fullfile (folder, "scratch")));
-%!   for kind = {"svg", "png", "pdf"}
-%!     assert (stat (fullfile (folder, ["figure3." kind{1}])).size > 3000);
-%!   endfor
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%!function check_files (folder, scratch)
+%!  finish_tool (draw_surface_figure (sample_surface (3), scratch));
+%!  for kind = {"svg", "png", "pdf"}
+%!    assert (stat (fullfile (folder, ["figure3." kind{1}])).size > 3000);
+%!  endfor
+%!endfunction
+%!test in_scratch (@check_files);

@@ -14,14 +14,9 @@ function jobs = draw_surface_frames (drawing, scratch)
   jobs = start_shares (scratch, "surface.gp", frames, @(frame, ~) surface_frame_data (drawing, frame, name (frame)));
 endfunction
 
-%!test # frames of the right size
-%! folder = tempname (); mkdir (folder); mkdir (fullfile (folder, "scratch"));
-%! confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   drawing = setfield (sample_surface (2), "frame_size", [640 400]);
-%!   arrayfun (@finish_tool, draw_surface_frames (drawing, fullfile (folder, "scratch")));
-%!   information = imfinfo (fullfile (folder, "frames", "frame_0002.png"));
-%!   assert ([information.Width, information.Height], [640 400]);
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%!function check_size (folder, scratch)
+%!  arrayfun (@finish_tool, draw_surface_frames (setfield (sample_surface (2), "frame_size", [640 400]), scratch));
+%!  information = imfinfo (fullfile (folder, "frames", "frame_0002.png"));
+%!  assert ([information.Width, information.Height], [640 400]);
+%!endfunction
+%!test in_scratch (@check_size); # frames of the right size

@@ -40,27 +40,20 @@ function whole = boxes_fit (id, bytes)
 endfunction
 
 %!assert (is_whole ("/nowhere.png"), false)
-%!test
-%! file = [tempname() ".svg"];
-%! unwind_protect
-%!   write_text (file, "");
-%!   assert (is_whole (file), false);
-%!   write_text (file, "<svg>");
-%!   assert (is_whole (file), false);
-%!   write_text (file, "<svg>\n</svg>\n\n");
-%!   assert (is_whole (file));
-%! unwind_protect_cleanup
-%!   unlink (file);
-%! end_unwind_protect
+%!function whole = is_kept (file, text)
+%!  write_text (file, text);
+%!  whole = is_whole (file);
+%!endfunction
+%!function check_drawing (file)
+%!  assert (is_kept (file, ""), false);
+%!  assert (is_kept (file, "<svg>"), false);
+%!  assert (is_kept (file, "<svg>\n</svg>\n\n"));
+%!endfunction
+%!test in_scratch (@(folder, scratch) check_drawing (fullfile (folder, "a.svg")));
+%!function check_film (file)
+%!  system (["ffmpeg -nostdin -loglevel error -f lavfi -i testsrc=d=0.5:s=320x320 -c:v mpeg4 " file]);
+%!  assert (is_whole (file));
+%!  assert (is_kept (file, fileread (file)(1:end-1)), false);
+%!endfunction
 %!testif ; system ("command -v ffmpeg > /dev/null") == 0 # a film, and one that is cut
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! file = fullfile (folder, "a.mp4");
-%! unwind_protect
-%!   system (["ffmpeg -nostdin -loglevel error -f lavfi -i testsrc=d=0.5:s=320x320 -c:v mpeg4 " file]);
-%!   assert (is_whole (file));
-%!   bytes = fileread (file);
-%!   write_text (file, bytes(1:end-1));
-%!   assert (is_whole (file), false);
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! in_scratch (@(folder, scratch) check_film (fullfile (folder, "a.mp4")));

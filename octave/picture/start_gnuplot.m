@@ -15,13 +15,9 @@ function job = start_gnuplot (scratch, script, first = 1, last = 1)
   job = start_tool (scratch, "gnuplot", ["gnuplot -d " share]);
 endfunction
 
+%!function start_without_script (scratch)
+%!  write_text (fullfile (scratch, "settings.gp"), "");
+%!  finish_tool (start_gnuplot (scratch, "no_such_script.gp"));
+%!endfunction
 %!error <gnuplot failed with status 1: .*no_such_script.gp>
-%! scratch = tempname ();
-%! mkdir (scratch);
-%! unwind_protect
-%!   write_text (fullfile (scratch, "settings.gp"), "");
-%!   finish_tool (start_gnuplot (scratch, "no_such_script.gp"));
-%! unwind_protect_cleanup
-%!   confirm_recursive_rmdir (false, "local");
-%!   rmdir (scratch, "s");
-%! end_unwind_protect
+%! in_scratch (@(folder, scratch) start_without_script (scratch));

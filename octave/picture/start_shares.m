@@ -17,15 +17,12 @@ function jobs = start_shares (scratch, script, frames, frame_text)
   endfor
 endfunction
 
-%!test # every frame has its file
-%! scratch = tempname (); mkdir (scratch); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   write_text (fullfile (scratch, "settings.gp"), "");
-%!   jobs = start_shares (scratch, "no_such_script.gp", 7, @(frame, first) sprintf ("# %d of %d\n", frame, first));
-%!   for job = jobs
-%!     fail ("finish_tool (job)", "no_such_script.gp");
-%!   endfor
-%!   assert (! isempty (regexp (fileread (fullfile (scratch, "7.gp")), "^# 7 of \\d\n$")));
-%! unwind_protect_cleanup
-%!   rmdir (scratch, "s");
-%! end_unwind_protect
+%!function check_shares (folder, scratch)
+%!  write_text (fullfile (scratch, "settings.gp"), "");
+%!  jobs = start_shares (scratch, "no_such_script.gp", 7, @(frame, first) sprintf ("# %d of %d\n", frame, first));
+%!  for job = jobs
+%!    fail ("finish_tool (job)", "no_such_script.gp");
+%!  endfor
+%!  assert (! isempty (regexp (fileread (fullfile (scratch, "7.gp")), "^# 7 of \\d\n$")));
+%!endfunction
+%!test in_scratch (@check_shares); # every frame has its file

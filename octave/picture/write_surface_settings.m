@@ -19,11 +19,8 @@ function write_surface_settings (drawing, scratch, kinds)
                gnuplot_block("surface", {vertcat(lines{:})}), strip_data(drawing)]);
 endfunction
 
-%!test
-%! scratch = tempname (); mkdir (scratch); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   write_surface_settings (sample_surface (2), scratch, "png");
-%!   assert (! isempty (strfind (fileread (fullfile (scratch, "settings.gp")), "kinds = 'png'")));
-%! unwind_protect_cleanup
-%!   rmdir (scratch, "s");
-%! end_unwind_protect
+%!function text = settings_in (scratch)
+%!  write_surface_settings (sample_surface (2), scratch, "png");
+%!  text = fileread (fullfile (scratch, "settings.gp"));
+%!endfunction
+%!assert (! isempty (strfind (in_scratch (@(folder, scratch) settings_in (scratch)), "kinds = 'png'")))

@@ -32,15 +32,13 @@ function summary = draw_run (folder, scene, summary, start, draw)
   summary.seconds.report = toc (report_start);
 endfunction
 
+%!function draw_without_report (folder)
+%!  mkdir (fullfile (folder, "report.html"));
+%!  summary = struct ("frames", 2, "model", "rigid", "warnings", {{}}, "seconds", struct ());
+%!  summary = draw_run (folder, struct (), summary, tic (), @() sample_drawing (2));
+%!  assert (numel (summary.warnings), 1);
+%!  assert (! isempty (regexp (summary.warnings{1}, "^report.html is missing: .* cannot be written: ")));
+%!  assert (stat (fullfile (folder, "history.svg")).size > 1000);
+%!endfunction
 %!test # a report that cannot be written is a warning, and the pictures stay
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   mkdir (fullfile (folder, "report.html"));
-%!   summary = struct ("frames", 2, "model", "rigid", "warnings", {{}}, "seconds", struct ());
-%!   summary = draw_run (folder, struct (), summary, tic (), @() sample_drawing (2));
-%!   assert (numel (summary.warnings), 1);
-%!   assert (! isempty (regexp (summary.warnings{1}, "^report.html is missing: .* cannot be written: ")));
-%!   assert (stat (fullfile (folder, "history.svg")).size > 1000);
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! in_scratch (@(folder, scratch) draw_without_report (folder));

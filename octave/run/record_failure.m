@@ -25,21 +25,18 @@ function record_failure (output, name, scene, err)
   end_try_catch
 endfunction
 
-%!test
-%! folder = tempname (); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   scene = struct ("title", "A rod", "solver", struct ("name", "rk4"));
-%!   failed = @(id, text) record_failure (struct ("folder", folder), "rod", scene, ...
-%!                                        struct ("identifier", id, "message", text));
-%!   failed ("toolchain:integration", "rk4 stopped\n");
-%!   failed ("toolchain:integration", "it stopped again");
-%!   failed ("Octave:undefined-function", "no such thing");
-%!   summary = jsondecode (fileread (fullfile (folder, "summary.json")));
-%!   assert (summary.last_failure.message, "it stopped again");
-%!   assert (summary.title, "A rod");
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%!function fail_in (folder)
+%!  scene = struct ("title", "A rod", "solver", struct ("name", "rk4"));
+%!  failed = @(id, text) record_failure (struct ("folder", folder), "rod", scene, ...
+%!                                       struct ("identifier", id, "message", text));
+%!  failed ("toolchain:integration", "rk4 stopped\n");
+%!  failed ("toolchain:integration", "it stopped again");
+%!  failed ("Octave:undefined-function", "no such thing");
+%!  summary = jsondecode (fileread (fullfile (folder, "summary.json")));
+%!  assert (summary.last_failure.message, "it stopped again");
+%!  assert (summary.title, "A rod");
+%!endfunction
+%!test in_scratch (@(folder, scratch) fail_in (fullfile (folder, "new")));
 %!test # a failure that cannot be recorded is no other failure
 %! output.folder = "/proc/nowhere";
 %! said = evalc ("record_failure (output, 'rod', struct ('title', 'A rod', 'solver', struct ('name', 'rk4')), \

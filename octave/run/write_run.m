@@ -55,17 +55,14 @@ function summary = write_run (output, kind, scene, run, summary, start)
   endfunction
 endfunction
 
-%!test # every file of a run is there
-%! folder = tempname (); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   evalc ("result = driver ('paper', 'modes', [0 0], 'output', folder);");
-%!   assert (result.summary.warnings, {});
-%!   assert (numel (glob (fullfile (folder, "frames", "*.png"))), 91);
-%!   assert (rows (csvread (fullfile (folder, "history.csv"), 1, 0)), 91);
-%!   assert (jsondecode (fileread (fullfile (folder, "summary.json"))).frames, 91);
-%!   for name = {"animation.mp4", "animation.gif", "figure3.svg", "history.svg", "report.html"}
-%!     assert (stat (fullfile (folder, name{1})).size > 10000);
-%!   endfor
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%!function check_files (folder, scratch)
+%!  evalc ("result = driver ('paper', 'modes', [0 0], 'output', folder);");
+%!  assert (result.summary.warnings, {});
+%!  assert (numel (glob (fullfile (folder, "frames", "*.png"))), 91);
+%!  assert (rows (csvread (fullfile (folder, "history.csv"), 1, 0)), 91);
+%!  assert (jsondecode (fileread (fullfile (folder, "summary.json"))).frames, 91);
+%!  for name = {"animation.mp4", "animation.gif", "figure3.svg", "history.svg", "report.html"}
+%!    assert (stat (fullfile (folder, name{1})).size > 10000);
+%!  endfor
+%!endfunction
+%!test in_scratch (@check_files); # every file of a run is there

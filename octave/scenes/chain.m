@@ -18,9 +18,6 @@ function scene = chain (n = 5)
 endfunction
 
 %!test # n rods, one behind the other: the last one's tip is n lengths away
-%! scene = check_mechanism (chain (7));
-%! mechanism = build_mechanism (scene, mechanism_rungs (scene, zeros (1, 7)));
-%! system = mechanism_system (scene, mechanism);
-%! [start, warnings] = assemble_mechanism (scene, mechanism, system);
+%! [start, warnings, system] = assembled (chain (7), 0);
 %! assert (warnings, {});
 %! assert (measure_mechanism (system, 0, first_states (system, 0, start)).bodies(7).tip_x, 0.7, 1e-12);

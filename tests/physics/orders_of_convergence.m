@@ -6,8 +6,8 @@
 %!endfunction
 
 %!test # order within 0.1 of the theory, as the step is halved
-%! scene = check_scene (setfield (setfield (paper (), "model", "modes", [0 1]), "duration", 0.35));
-%! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
+%! [scene, model] = sample_rod ([0 1], "duration", 0.35);
+%! system = hinged_rod (scene, model);
 %! reference = integrate (system, [0 0.2 0.35], struct ("name", "waveform", "tolerance", 1e-13));
 %! for method = integrator_table (rod_forms ())
 %!   if (! method.adaptive)

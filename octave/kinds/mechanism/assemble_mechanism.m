@@ -96,43 +96,37 @@ endfunction
 %!                  struct("kind", "revolute", "bodies", 3, "stations", 0, "point", [0.6 0])};
 %!  scene.duration = 1;
 %!endfunction
-%!function [start, warnings, system] = assembled (scene)
-%!  scene = check_mechanism (scene);
-%!  mechanism = build_mechanism (scene, mechanism_rungs (scene, zeros (1, numel (scene.bodies))));
-%!  system = mechanism_system (scene, mechanism);
-%!  [start, warnings] = assemble_mechanism (scene, mechanism, system);
-%!endfunction
 %!test # a loop closes, and what moved is said
-%! [start, warnings, system] = assembled (bars (0.7));
+%! [start, warnings, system] = assembled (bars (0.7), 0);
 %! assert (abs (system.at (0, start.q, start.v).constraints.residual) < 1e-11);
 %! assert (! isempty (strfind (warnings{1}, "was moved by")));
-%!error <cannot be assembled: .*; the loop through .*body 2.* does not close> assembled (bars (2))
+%!error <cannot be assembled: .*; the loop through .*body 2.* does not close> assembled (bars (2), 0)
 %!error <[0-9] of 9 constraints depend on the others, those of .*: take a joint of another kind there, or none>
 %! scene = bars (0.7); scene.joints{5} = struct ("kind", "slider", "bodies", 3, "stations", 0, "point", [0.6 0]);
-%! assembled (scene);
+%! assembled (scene, 0);
 %!test # springs, bushings and loads alone hold it, or nothing does: it has no constraints
 %! scene = setfield (bars (0.7), "joints", {});
-%! [start, warnings] = assembled (scene);
+%! [start, warnings] = assembled (scene, 0);
 %! assert (start.q, [0; 0; 0; 0.5; 0; 0; 1.5; 0; 0]);
 %! assert (warnings, strcat ({"body 1", "body 2", "body 3"}, " hangs on nothing: no joints lead from it to the ground"));
 %! scene.bodies = scene.bodies(1);
 %! scene.joints = {struct("kind", "bushing", "bodies", 1, "stations", 0, "stiffness", 3)};
-%! [start, warnings] = assembled (scene);
+%! [start, warnings] = assembled (scene, 0);
 %! assert (isempty (warnings));
 %!test # what hangs on nothing, and what cannot move
 %! scene = bars (0.7); scene.joints(4) = [];
 %! scene.joints(1) = [];
-%! [~, warnings] = assembled (scene);
+%! [~, warnings] = assembled (scene, 0);
 %! assert (any (! cellfun (@isempty, strfind (warnings, "hangs on nothing"))));
 %! scene = bars (0.7); scene.joints{5} = struct ("kind", "angle", "bodies", 1, "stations", 0);
-%! [~, warnings] = assembled (scene);
+%! [~, warnings] = assembled (scene, 0);
 %! assert (any (! cellfun (@isempty, strfind (warnings, "is locked"))));
 %!error <joint 6: the points of the spring coincide at the start, .*: take a bushing, which holds two points together>
 %! scene = bars (0.7); scene.joints{5} = struct ("kind", "bushing", "bodies", [1 2], "stations", [0.2 0]);
 %! scene.joints{6} = struct ("kind", "spring", "bodies", [1 2], "stations", [0.2 0], "stiffness", 1, "rest", 1);
-%! assembled (scene);
+%! assembled (scene, 0);
 %!test # a rod that nothing holds
 %! scene = setfield (bars (0.7), "joints", {});
 %! scene.bodies = scene.bodies(1);
-%! [start, warnings] = assembled (scene);
+%! [start, warnings] = assembled (scene, 0);
 %! assert (start.q, zeros (3, 1)); assert (warnings, {"body 1 hangs on nothing: no joints lead from it to the ground"});

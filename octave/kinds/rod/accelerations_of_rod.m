@@ -28,10 +28,8 @@ function z = form (y, n, c)
 endfunction
 
 %!test # there and back, and the same motion as the rates of the state
-%! scene = setfield (setfield (paper (), "model", "modes", [2 3]), "rod", "damping", 1e-4);
-%! scene.rod.half_height = 0.1; scene.rod.lambda = 1e8; scene.rod.mu = 1e8;
-%! scene = check_scene (scene);
-%! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
+%! [scene, model] = sample_rod ([2 3], "rod.damping", 1e-4, "rod.half_height", 0.1, "rod.lambda", 1e8, "rod.mu", 1e8);
+%! system = hinged_rod (scene, model);
 %! y = [0.01*[1 -2 3 4 -5].'; 0.4; [1 2 -3 -4 5].'/10; 30; 0; 0];
 %! z = system.accelerations.form (y);
 %! assert (system.accelerations.state (z), y, 1e-12);

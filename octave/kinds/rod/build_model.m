@@ -110,8 +110,7 @@ function arrays = set_followers (arrays, followers)
 endfunction
 
 %!test # the paper's sines are a basis of their own
-%! scene = check_scene (setfield (paper (), "model", "modes", [7 7]));
-%! model = build_model (scene, rung_of_scene (scene));
+%! [~, model] = sample_rod ([7 7]);
 %! assert (model.basis, eye (14));
 %! assert (numel (model.arrays.slope_1), 14);
 

@@ -54,9 +54,7 @@ function [force_q, force_phi, w4] = dropped_forces (points, motion, loads)
 endfunction
 
 %!function [points, motion, loads] = at_rest (amplitude)   # a half wave that stands
-%!  scene = check_scene (setfield (setfield (paper (), "model", "modes", [0 1]), "rod", "half_height", 0.01));
-%!  scene.model.stiffening = "foreshortening";
-%!  model = build_model (scene, rung_of_scene (scene));
+%!  [scene, model] = sample_rod ([0 1], "rod.half_height", 0.01, "model.stiffening", "foreshortening");
 %!  points = dropped_points (model, scene);
 %!  motion = struct ("q", amplitude, "q_dot", 0, "q_ddot", 0, "phi", 0.3, "phi_dot", 0, "phi_ddot", 0, ...
 %!                   "x_ddot", 0, "y_ddot", 0, "followers", []);

@@ -42,8 +42,7 @@ function points = dropped_points (model, rod)
 endfunction
 
 %!test # mass, stiffness and shortening of a half wave
-%! scene = check_scene (setfield (setfield (paper (), "model", "modes", [0 1]), "tip_mass", 3));
-%! model = build_model (scene, rung_of_scene (scene));
+%! [scene, model] = sample_rod ([0 1], "tip_mass", 3);
 %! points = dropped_points (model, scene);
 %! assert (sum (points.rhoA), 7800*6e-4 + 3, 1e-12);
 %! assert (points.across{3}.'*(points.EI.*points.across{3}), model.arrays.stiffness_matrix, 1e-9*model.section.EI);

@@ -13,6 +13,6 @@ function w4 = dropped_shortening (model, stations, V)
 endfunction
 
 %!test # a half wave
-%! scene = check_scene (setfield (paper (), "model", "modes", [0 1]));
-%! w4 = dropped_shortening (build_model (scene, rung_of_scene (scene)), [0 0.5 1], [0.05 0.1]);
+%! [~, model] = sample_rod ([0 1]);
+%! w4 = dropped_shortening (model, [0 0.5 1], [0.05 0.1]);
 %! assert (w4, [0; 1.5; 3]/64*([0.05 0.1]*pi).^4, 1e-12);

@@ -69,8 +69,8 @@ function found = motion (times, states, n, rate)
 endfunction
 
 %!test # at rest and undeformed: the rod falls as a rigid one begins to
-%! scene = check_scene (setfield (paper (), "model", "modes", [0 0]));
-%! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
+%! [scene, model] = sample_rod ([0 0]);
+%! system = hinged_rod (scene, model);
 %! y_dot = system.rate (1, system.initial_state, [0.3 1.8]);
 %! J = 7800*6e-4/3 + 7800*0.02*2*0.015^3/3; S = 7800*6e-4/2;
 %! assert (y_dot(2), -9.81*S*cos (pi/6), 1e-12);

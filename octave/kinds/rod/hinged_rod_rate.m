@@ -26,8 +26,8 @@ function y_dot = hinged_rod_rate (t, y, interval, n, c)
 endfunction
 
 %!test # where the moment jumps, the interval says which value is meant
-%! scene = check_scene (setfield (paper (), "model", "modes", [7 7]));
-%! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
+%! [scene, model] = sample_rod ([7 7]);
+%! system = hinged_rod (scene, model);
 %! before = system.rate (0.3, system.initial_state, [0, 0.3 - eps]);
 %! after = system.rate (0.3, system.initial_state, [0.3 1.8]);
 %! assert (abs (before - after)(30), 90, 1e-9);

@@ -43,8 +43,7 @@ function history = measure (system, model, times, states)
 endfunction
 
 %!test # a rigid rod at rest
-%! scene = check_scene (setfield (paper (), "model", "modes", [0 0]));
-%! model = build_model (scene, rung_of_scene (scene));
+%! [scene, model] = sample_rod ([0 0]);
 %! history = measure (system = hinged_rod (scene, model), model, 0, system.initial_state);
 %! assert ([history.tip_x, history.tip_y], [cos(pi/6), -0.5], 1e-12);
 %! assert (history.psi, -pi/6, 1e-12);

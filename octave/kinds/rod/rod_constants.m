@@ -31,7 +31,7 @@ function constants = rod_constants (scene, model)
 endfunction
 
 %!test
-%! scene = check_scene (setfield (setfield (paper (), "model", "modes", [1 2]), "model", "moment_work", "chord"));
-%! constants = rod_constants (scene, build_model (scene, rung_of_scene (scene)));
+%! [scene, model] = sample_rod ([1 2], "model.moment_work", "chord");
+%! constants = rod_constants (scene, model);
 %! assert (constants.slopes, {zeros(3, 1), zeros(3, 1)});
 %! assert (constants.inverse_mass_matrix*constants.mass_matrix, eye (3), 1e-12);

@@ -38,8 +38,7 @@ function drawing = rod_drawing (scene, model, history)
 endfunction
 
 %!test
-%! scene = check_scene (setfield (paper (), "model", "modes", [0 1]));
-%! model = build_model (scene, rung_of_scene (scene));
+%! [scene, model] = sample_rod ([0 1]);
 %! history = setfield (sample_history (2), "V", [0, 1e-4]);
 %! [history.phi, history.V_names] = deal ([0 0], {"V2_1"});
 %! drawing = rod_drawing (scene, model, history);

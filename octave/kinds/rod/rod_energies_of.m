@@ -10,16 +10,14 @@ function [E, p] = rod_energies_of (phi, phi_dot, q, q_dot, c)
 endfunction
 
 %!test # a rigid rod of 4.68 kg that turns, upright: J = m (l^2/3 + h^2/3), and its weight half a metre up
-%! scene = check_scene (setfield (paper (), "model", "modes", [0 0]));
-%! c = rod_constants (scene, build_model (scene, rung_of_scene (scene)));
+%! [scene, model] = sample_rod ([0 0]);
+%! c = rod_constants (scene, model);
 %! [E, p] = rod_energies_of (pi/2, 2, zeros (0, 1), zeros (0, 1), c);
 %! J = 4.68*(1 + 0.015^2)/3;
 %! assert (E, [2*J; 0; 4.68*9.81/2], 1e-12); assert (p, 2*J, 1e-12);
 %!test # a half wave of 1 mm at rest in the frame: its strain energy, and what it adds to the rotation's; on its way
-%! scene = check_scene (setfield (setfield (paper (), "model", "modes", [0 1]), "model", "energy", "uniaxial"));
-%! scene.rod.rhoI = 0;
-%! scene.model.rotary_inertia = false;
-%! c = rod_constants (scene, build_model (scene, rung_of_scene (scene)));
+%! [scene, model] = sample_rod ([0 1], "model.energy", "uniaxial", "model.rotary_inertia", false);
+%! c = rod_constants (scene, model);
 %! E_modulus = 8.1e10*(3*1.2e11 + 2*8.1e10)/(1.2e11 + 8.1e10);
 %! EI = E_modulus*0.02*0.03^3/12;
 %! [E, p] = rod_energies_of ([0 0], [2 0], [1e-3 0], [0 3], c);

@@ -10,9 +10,8 @@ function system = rod_system (scene, model)
 endfunction
 
 %!test # a hinged rod falls from rest by 3/2 g/l (less what its height takes), a hub's rod is where the hub is
-%! scene = setfield (setfield (paper (), "model", "modes", [0 0]), "moment", 0);
-%! scene.initial.phi = 0;
-%! system = rod_system (scene = check_scene (scene), build_model (scene, rung_of_scene (scene)));
+%! [scene, model] = sample_rod ([0 0], "moment", 0, "initial.phi", 0);
+%! system = rod_system (scene, model);
 %! t = 1e-3;
 %! phi = integrate (system, [0 t], struct ("name", "auto", "tolerance", 1e-12))(1,2);
 %! assert (phi, -1.5*9.81/(1 + 0.015^2)*t^2/2, 1e-5*t^2);

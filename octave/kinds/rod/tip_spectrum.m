@@ -87,5 +87,5 @@ endfunction
 %! away = min (abs (spectrum.frequency.' - spectrum.predicted), [], 2) > 20;
 %! assert (spectrum.values(2,away) < 0.01*max (spectrum.values(2,:)));
 %!test # a rigid rod has none
-%! scene = check_scene (setfield (paper (), "model", "modes", [0 0]));
-%! assert (tip_spectrum (scene, build_model (scene, rung_of_scene (scene))), []);
+%! [scene, model] = sample_rod ([0 0]);
+%! assert (tip_spectrum (scene, model), []);

@@ -10,10 +10,8 @@ function K = turning_stiffness (phi, phi_dot, c)
 endfunction
 
 %!test # minus the derivatives of the forces at V = 0
-%! scene = setfield (setfield (paper (), "model", "modes", [1 2]), "model", "stiffening", "foreshortening");
-%! scene = check_scene (scene);
-%! scene.rod.half_height = 0.1; scene.moment = @(t) 0;
-%! c = rod_constants (scene, build_model (scene, rung_of_scene (scene)));
+%! [scene, model] = sample_rod ([1 2], "model.stiffening", "foreshortening", "rod.half_height", 0.1, "moment", 0);
+%! c = rod_constants (scene, model);
 %! force = @(x) nthargout (3:4, @rod_forces, 0, x(4), 5, x(1:3), zeros (3, 1), c);
 %! K = turning_stiffness (0.3, 5, c);
 %! for k = 1:4

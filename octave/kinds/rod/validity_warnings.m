@@ -47,8 +47,7 @@ function warnings = spectrum_warning (scene, model)
 endfunction
 
 %!function warnings = of_paper (zoom, V, phi_dot)
-%!  scene = check_scene (setfield (setfield (paper (), "model", "modes", [0 1]), "zoom", zoom));
-%!  model = build_model (scene, rung_of_scene (scene));
+%!  [scene, model] = sample_rod ([0 1], "zoom", zoom);
 %!  warnings = validity_warnings (scene, model, struct ("V", V, "phi_dot", phi_dot));
 %!endfunction
 %!assert (of_paper (300, 1e-4, 1), {})

@@ -76,11 +76,11 @@ function html = model_text (summary)
     cells = struct2cell (tried(:)).';
     texts = ! cellfun (@(value) isnumeric (value) && isscalar (value), cells);
     cells(texts) = cellfun (@value_text, cells(texts), "UniformOutput", false);
-    chosen = 0;
+    chosen = [];
     if (isfield (tried, "name"))
       chosen = find (strcmp ({tried.name}, summary.model), 1);
     endif
-    html = [html, html_table(names, cells, [chosen, 0](1))];
+    html = [html, html_table(names, cells, chosen)];
   endif
 endfunction
 
@@ -105,22 +105,18 @@ function html = equations (names)
   endfor
 endfunction
 
+%!function html = report_in (folder, drawing, use, figures)
+%!  for name = figures
+%!    write_text (fullfile (folder, [name{1} ".svg"]), ...
+%!                "<svg xmlns='http://www.w3.org/2000/svg'><path id='a'/></svg>\n");
+%!  endfor
+%!  summary = struct ("model", "rigid", "model_reason", "a < b", "warnings", {{"x & <y>"}}, "tried", [], ...
+%!                    "seconds", struct ("frames", 2, "film", 1), "command", "make simulate MODES='1 2'");
+%!  write_report (folder, drawing, struct ("moment", @(t) 3*(t < 1)), summary);
+%!  html = use (fullfile (folder, "report.html"));
+%!endfunction
 %!function html = report_of (drawing, use, figures = {"figure3", "history"})
-%!  folder = tempname ();
-%!  mkdir (folder);
-%!  unwind_protect
-%!    for name = figures
-%!      write_text (fullfile (folder, [name{1} ".svg"]), ...
-%!                  "<svg xmlns='http://www.w3.org/2000/svg'><path id='a'/></svg>\n");
-%!    endfor
-%!    summary = struct ("model", "rigid", "model_reason", "a < b", "warnings", {{"x & <y>"}}, "tried", [], ...
-%!                      "seconds", struct ("frames", 2, "film", 1), "command", "make simulate MODES='1 2'");
-%!    write_report (folder, drawing, struct ("moment", @(t) 3*(t < 1)), summary);
-%!    html = use (fullfile (folder, "report.html"));
-%!  unwind_protect_cleanup
-%!    confirm_recursive_rmdir (false, "local");
-%!    rmdir (folder, "s");
-%!  end_unwind_protect
+%!  html = in_scratch (@(folder, scratch) report_in (folder, drawing, use, figures));
 %!endfunction
 
 %!function check_tags (html)   # every tag that is opened is closed in its turn
