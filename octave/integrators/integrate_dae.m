@@ -50,9 +50,9 @@ function r = equations (t, y, y_dot, system)
 endfunction
 
 function reached = by_daspk (residual, times, y, y_dot, scale, algebraic)
-  kept = {"absolute tolerance", "relative tolerance", "algebraic variables", ...
+  names = {"absolute tolerance", "relative tolerance", "algebraic variables", ...
           "exclude algebraic variables from error test", "compute consistent initial condition"};
-  before = cellfun (@(name) daspk_options (name), kept, "uniformoutput", false);
+  settings = cellfun (@(name) daspk_options (name), names, "uniformoutput", false);
   unwind_protect
     daspk_options ("relative tolerance", 0*scale);
     daspk_options ("absolute tolerance", scale);
@@ -62,7 +62,7 @@ function reached = by_daspk (residual, times, y, y_dot, scale, algebraic)
     daspk_options ("exclude algebraic variables from error test", 1);
     reached = told_errors (@(f) daspk (f, y, y_dot, times), @(y, y_dot, t) residual (t, y, y_dot));
   unwind_protect_cleanup
-    cellfun (@(name, value) daspk_options (name, value), kept, before);
+    cellfun (@(name, value) daspk_options (name, value), names, settings);
   end_unwind_protect
 endfunction
 

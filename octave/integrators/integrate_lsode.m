@@ -9,7 +9,7 @@
 
 function [states, steps] = integrate_lsode (formulas, system, times, y, solver)
   steps = NaN;
-  kept = lsode_settings ();
+  settings = lsode_settings ();
   unwind_protect
     lsode_options ("integration method", formulas);
     lsode_options ("step limit", 1e6);
@@ -24,7 +24,7 @@ function [states, steps] = integrate_lsode (formulas, system, times, y, solver)
     endif
     [states, state, message] = told_errors (@(f) lsode (f, y, times, times(end)), @(y, t) system.rate (t, y));
   unwind_protect_cleanup
-    cellfun (@lsode_options, kept(:,1), kept(:,2));
+    cellfun (@lsode_options, settings(:,1), settings(:,2));
   end_unwind_protect
   finite = all (isfinite (states), 2);
   if (state != 2 || ! all (finite))

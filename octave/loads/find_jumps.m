@@ -10,8 +10,8 @@
 
 function jumps = find_jumps (load, t, values)
   jumps = [];
-  for part = 1:rows (values)
-    x = values(part,:);
+  for number = 1:rows (values)
+    x = values(number,:);
     change = abs (diff (x));
     rate = [Inf, change./diff(t), Inf];
     smallest = 1e-9*max (abs (x));
@@ -25,7 +25,7 @@ function jumps = find_jumps (load, t, values)
       if (isempty (from))
         break;
       endif
-      [left, right, x_left, x_right] = bisect (load, part, from, to, x_from, x_to);
+      [left, right, x_left, x_right] = bisect (load, number, from, to, x_from, x_to);
       found = abs (x_right - x_left) > max (0.01*abs (x_to - x_from), smallest);
       jumps = [jumps, right(found)];
       from = [from(found), right(found)];
@@ -43,7 +43,7 @@ function jumps = find_jumps (load, t, values)
 endfunction
 
 ## many intervals at once, each until no time is between its ends, or until its change is a thousandth
-function [a, b, x_a, x_b] = bisect (load, part, a, b, x_a, x_b)
+function [a, b, x_a, x_b] = bisect (load, number, a, b, x_a, x_b)
   worth = 1e-3*abs (x_b - x_a);
   for bisection = 1:100
     middle = (a + b)/2;
@@ -52,7 +52,7 @@ function [a, b, x_a, x_b] = bisect (load, part, a, b, x_a, x_b)
       return;
     endif
     [times, ~, back] = unique (middle(going));
-    x = load_values (load, times)(part,back(:).');
+    x = load_values (load, times)(number,back(:).');
     here = abs (x - x_a(going));
     there = abs (x_b(going) - x);
     first = going(here >= there);

@@ -11,8 +11,8 @@
 function ends = find_rests (load, t, values)
   longest = ceil (numel (t)/100);
   ends = zeros (1, 0);
-  for part = setdiff (1:rows (values), load.prescribed)  # what is prescribed follows its acceleration
-    x = values(part,:);
+  for number = setdiff (1:rows (values), load.prescribed)  # what is prescribed follows its acceleration
+    x = values(number,:);
     tolerance = 1e-9*max (abs (x));
     still = [false, abs(diff (x)) <= tolerance, false];
     first = find (diff (still) == 1);
@@ -21,7 +21,7 @@ function ends = find_rests (load, t, values)
     for k = find (long)
       value = x(round ((first(k) + last(k))/2));
       allowed = tolerance*any (x(first(k):last(k)) != value);
-      rests = @(time) abs (load_values (load, time)(part) - value) <= allowed;
+      rests = @(time) abs (load_values (load, time)(number) - value) <= allowed;
       if (first(k) > 1 && ! rests (t(first(k)-1)))
         ends(end+1) = bisect (rests, t(first(k)), t(first(k)-1));
       endif

@@ -81,11 +81,11 @@ function refuse_prescribed (load, jumps)
   for time = jumps
     before = load_values (load, time*(1 - 2*eps));
     behind = load_values (load, time*(1 + 2*eps));
-    for part = load.prescribed
-      if (abs (behind(part) - before(part)) > 1e-9*max (abs ([before; behind])))
+    for number = load.prescribed
+      if (abs (behind(number) - before(number)) > 1e-9*max (abs ([before; behind])))
         scene_error (["%s jumps from %.6g to %.6g at t = %.9g, its number %d: no force can make a prescribed place" ...
                       " or rate jump, let only its acceleration do so"], ...
-                     load.name, before(part), behind(part), time, part);
+                     load.name, before(number), behind(number), time, number);
       endif
     endfor
   endfor

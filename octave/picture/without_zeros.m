@@ -1,17 +1,17 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{panel} =} without_zeros (@var{panel}, @var{part})
-## A panel (see @code{new_panel}) without the curves that stay below the @var{part} (1e-9 unless given: rounding) of
+## @deftypefn {} {@var{panel} =} without_zeros (@var{panel}, @var{share})
+## A panel (see @code{new_panel}) without the curves that stay below the @var{share} (1e-9 unless given: rounding) of
 ## the largest value in it, which nobody could tell from zero. Where all are zero the first stays.
 ## @end deftypefn
 
-function panel = without_zeros (panel, part = 1e-9)
+function panel = without_zeros (panel, share = 1e-9)
   reach = max (abs (panel.values), [], 2);
-  kept = reach > part*max ([reach; 0]);
-  if (! any (kept))
-    kept = 1:min (1, rows (panel.values));
+  seen = reach > share*max ([reach; 0]);
+  if (! any (seen) && ! isempty (seen))
+    seen(1) = true;
   endif
-  panel.values = panel.values(kept,:);
-  panel.names = panel.names(kept);
+  panel.values = panel.values(seen,:);
+  panel.names = panel.names(seen);
 endfunction
 
 %!test

@@ -1,12 +1,12 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{constraints} =} list_constraints (@var{mechanism}, @var{joints}, @var{part})
-## The scalar constraints of all @var{joints}, or, where @var{part} is "springs", the elongations of their springs: a
+## @deftypefn {} {@var{constraints} =} list_constraints (@var{mechanism}, @var{joints}, @var{field})
+## The scalar constraints of all @var{joints}, or, where @var{field} is "springs", the elongations of their springs: a
 ## struct of kinds (those of one function at once: form, rows, first, second (markers), offset, joints, component (of
 ## the joint's value), constant (values), moving (rows whose value is a function of time)), values (the joints'
 ## functions of t), names (a constraint each) and count.
 ## @end deftypefn
 
-function constraints = list_constraints (mechanism, joints, part = "constraints")
+function constraints = list_constraints (mechanism, joints, field = "constraints")
   constraints = struct ("kinds", struct ([]), "names", {{}}, "count", 0, "joint", []);
   constraints.values = {};
   if (isempty (joints))
@@ -16,7 +16,7 @@ function constraints = list_constraints (mechanism, joints, part = "constraints"
   all_kinds = joint_kinds ();
   table = {};
   for j = 1:numel (joints)
-    forms = all_kinds(strcmp ({all_kinds.name}, joints(j).kind)).(part);
+    forms = all_kinds(strcmp ({all_kinds.name}, joints(j).kind)).(field);
     for c = 1:numel (forms)
       table(end+1,:) = {func2str(forms{c}), numel(constraints.names) + 1, j, c};
       constraints.names{end+1} = joints(j).name;

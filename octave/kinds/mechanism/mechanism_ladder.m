@@ -69,14 +69,14 @@ function metres = left_out_of (reference, rung, part, open)
   k = part.body;
   order = struct ("longitudinal", 1, "bending", 2).(part.kind);
   metres = left_out (models{k}, reference.history.bodies(k).V, order, rung.(part.kind)(k));
-  kept = true (1, reference.model.n);
+  of_rung = true (1, reference.model.n);
   for k = find (open)
     numbers_1 = models{k}.base.longitudinal;
     numbers_2 = models{k}.base.transversal;
-    kept(index_of (reference.model, k)(1:end-3)) = [has(numbers_1, rung.longitudinal(k)), ...
+    of_rung(index_of (reference.model, k)(1:end-3)) = [has(numbers_1, rung.longitudinal(k)), ...
                                                         has(numbers_2, rung.bending(k))];
   endfor
-  if (! independent (reference.start_jacobian(:,kept)))
+  if (! independent (reference.start_jacobian(:,of_rung)))
     metres = Inf;
   endif
 endfunction

@@ -30,8 +30,8 @@ function spectrum = tip_spectrum (scene, model)
     endif
     return;
   end_try_catch
-  kept = modes(:,all_predicted < highest);
-  deflection = kept_deflection (model, system.motion (times, states), kept*(kept.'*system.mass));
+  slow = modes(:,all_predicted < highest);
+  deflection = deflection_of (model, system.motion (times, states), slow*(slow.'*system.mass));
   [frequency, values] = amplitude_spectrum (deflection, scene.duration/samples);
   seen = predicted < highest;
   spectrum = struct ("label", "spectra of the tip from tangent", "unit", "m", "names", {{"along", "across"}}, ...
@@ -47,13 +47,13 @@ function text = in_hertz (frequency)
   text = sprintf ("%.4g %s", frequency/scale, unit);
 endfunction
 
-## of the modes that are kept, by the projector on them
-function deflection = kept_deflection (model, motion, projector)
+## of some modes alone, by the projector on them
+function deflection = deflection_of (model, motion, projector)
   history = struct ("phi", motion.phi, "q", motion.q);
   if (rows (projector) > rows (motion.q))
-    kept = projector*[motion.q; motion.phi];
-    history.q = kept(1:end-1,:);
-    history.phi = kept(end,:);
+    projected = projector*[motion.q; motion.phi];
+    history.q = projected(1:end-1,:);
+    history.phi = projected(end,:);
   else
     history.q = projector*motion.q;
   endif

@@ -13,16 +13,16 @@ function alpha = laid_geodesic (surface, point, angle, stations)
   if (! (all (isfinite (slope)) && isreal (slope) && det (a) > 1e-12*trace (a)^2))
     scene_error ("initial.point is [%g %g]: the surface's chart is singular there", point);
   endif
-  kept = {lsode_options("relative tolerance"), lsode_options("absolute tolerance"), lsode_options("step limit")};
+  settings = {lsode_options("relative tolerance"), lsode_options("absolute tolerance"), lsode_options("step limit")};
   unwind_protect
     lsode_options ("relative tolerance", 1e-13);
     lsode_options ("absolute tolerance", 1e-13);
     lsode_options ("step limit", 1e5);
     [path, state] = lsode (@(y, s) rate (y, surface), [point(:); slope], [0; stations(:)]);
   unwind_protect_cleanup
-    lsode_options ("relative tolerance", kept{1});
-    lsode_options ("absolute tolerance", kept{2});
-    lsode_options ("step limit", kept{3});
+    lsode_options ("relative tolerance", settings{1});
+    lsode_options ("absolute tolerance", settings{2});
+    lsode_options ("step limit", settings{3});
   end_unwind_protect
   if (state != 2 || ! all (isfinite (path(:))))
     scene_error ("initial.point and initial.angle lay the rod across a point where the surface's chart is singular");

@@ -13,11 +13,11 @@ function refuse_self_contact (history, scene)
   for k = 1:numel (history.t)
     far = (history.x(i,k) - history.x(j,k)).^2 + (history.y(i,k) - history.y(j,k)).^2 ...
           + (history.z(i,k) - history.z(j,k)).^2;
-    [least, at] = min (far);
+    [least, nearest] = min (far);
     if (least < near)
       text = ["the rod touches itself at t = %.4g s, %.3g m and %.3g m along it: contact of the rod with itself" ...
               " is not modelled; take a stiffer rod, a shorter time or another start\n"];
-      error ("toolchain:integration", text, history.t(k), (i(at) - 1)*spacing, (j(at) - 1)*spacing);
+      error ("toolchain:integration", text, history.t(k), (i(nearest) - 1)*spacing, (j(nearest) - 1)*spacing);
     endif
   endfor
 endfunction
