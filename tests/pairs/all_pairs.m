@@ -73,7 +73,11 @@ endfunction
 function fault = report (kind, outcome, values, message)
   fault = any (strcmp (outcome, {"internal", "wrong"}));
   names = strjoin (strcat (values(:,1), {" = "}, values(:,2)).', ", ");
-  printf ("%s %s: %s: %s: %s\n", {"ok", "not ok"}{1 + fault}, kind, names, outcome, message);
+  verdict = "ok";
+  if (fault)
+    verdict = "not ok";
+  endif
+  printf ("%s %s: %s: %s: %s\n", verdict, kind, names, outcome, message);
   fflush (stdout);
 endfunction
 

@@ -12,7 +12,10 @@ function u = curved_statics (kind)
   tip = curved_functions (base, axis, pi/2);
   [x, y, ~] = undeformed_places (struct ("axis", axis), pi/2);
   turn = -curved_functions (base, axis, 0).chi;  # the clamped tangent at O turns the frame
-  direction = {[cos(axis.tilt), sin(axis.tilt)], [-sin(axis.tilt), cos(axis.tilt)]}{1 + strcmp(kind, "normal")};
+  direction = [cos(axis.tilt), sin(axis.tilt)];
+  if (strcmp (kind, "normal"))
+    direction = [-sin(axis.tilt), cos(axis.tilt)];
+  endif
   moves = [tip.u_1 - y*turn; tip.u_2 + x*turn];
   q = a.stiffness_matrix \ (direction*moves).';
   u = direction*moves*q;

@@ -44,8 +44,14 @@ function [scene, mechanism, along] = crank (has)
   scene = load_scene ("slider_crank");
   scene.bodies{2}.rod.rhoI = 7870*0.008^4/12;
   scene.bodies{2}.model.rotary_inertia = has ("rotary inertia");
-  scene.bodies{2}.model.stiffening = {"none", "foreshortening"}{1 + has("foreshortening")};
-  scene.bodies{2}.model.modes = [2 2]*(1 + has ("modes"));
+  scene.bodies{2}.model.stiffening = "none";
+  if (has ("foreshortening"))
+    scene.bodies{2}.model.stiffening = "foreshortening";
+  endif
+  scene.bodies{2}.model.modes = [2 2];
+  if (has ("modes"))
+    scene.bodies{2}.model.modes = [4 4];
+  endif
   scene = check_mechanism (scene);
   mechanism = build_mechanism (scene, mechanism_rungs (scene, [0 0]));
   base = mechanism.models{2}.base;
