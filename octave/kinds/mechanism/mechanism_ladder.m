@@ -71,10 +71,9 @@ function metres = left_out_of (reference, rung, part, open)
   metres = left_out (models{k}, reference.history.bodies(k).V, order, rung.(part.kind)(k));
   of_rung = true (1, reference.model.n);
   for k = find (open)
-    numbers_1 = models{k}.base.longitudinal;
-    numbers_2 = models{k}.base.transversal;
-    of_rung(index_of (reference.model, k)(1:end-3)) = [has(numbers_1, rung.longitudinal(k)), ...
-                                                        has(numbers_2, rung.bending(k))];
+    base = models{k}.base;
+    of_rung(index_of (reference.model, k)(1:end-3)) = [has(base.longitudinal, rung.longitudinal(k)), ...
+                                                       has(base.transversal, rung.bending(k))];
   endfor
   if (! independent (reference.start_jacobian(:,of_rung)))
     metres = Inf;
