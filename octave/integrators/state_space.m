@@ -14,6 +14,9 @@ function ode = state_space (system, correction = @(constraints) 0)
   ode.rate = @(t, y) rate (t, y, system, correction);
   ode.pack = @(state) [state.q; state.v; state.W; state.D];
   ode.unpack = @(t, y) unpack (t, y, system, correction);
+  if (isfield (system, "calls"))
+    ode.calls = system.calls;
+  endif
 endfunction
 
 function y_dot = rate (t, y, system, correction)

@@ -57,8 +57,7 @@ do for [kind in "svg png"] {
   set offsets graph 0.05, graph 0.15, graph 0.1, graph 0.05
   set xlabel "seconds, models of the ladder"
   set ylabel "error of the centreline, m" offset 1
-  stats $ladder using 1:2 nooutput
-  if (STATS_records > 0) {
+  if (rungs > 0) {
     plot $ladder using 1:2 with points pt 7 ps 0.8 lc rgb "#1f77b4" notitle, \
          "" using 1:2:3 with labels left rotate by 40 offset 0.4,0.4 font ",10" noenhanced notitle, \
          $chosen using 1:2 with points pt 6 ps 2.4 lw 2 lc rgb "#000000" notitle

@@ -8,8 +8,13 @@
 function job = draw_chart (table, ladder, cost, scene, scratch)
   methods = unique ({table.method}, "stable");
   drifts = any (isfinite ([table.drift]));
+  chosen = rows = ladder;
+  if (! isempty (ladder))
+    rows = ladder([ladder.error_m] > 0 & isfinite ([ladder.error_m]));
+    chosen = rows([rows.chosen]);
+  endif
   text = gnuplot_settings (struct ("title", scene.title, "methods", {methods}, "drifts", double (drifts), ...
-                                   "cost_first", cost(1,1:2)));
+                                   "rungs", numel (rows), "cost_first", cost(1,1:2)));
   for k = 1:numel (methods)
     of_method = table(strcmp ({table.method}, methods{k}));
     failed = ! cellfun (@isempty, {of_method.failure});
@@ -17,11 +22,6 @@ function job = draw_chart (table, ladder, cost, scene, scratch)
             block(sprintf ("part_%d", k), of_method([of_method.extrapolated] & ! failed), drifts), ...
             block(sprintf ("failed_%d", k), of_method(failed), drifts)];
   endfor
-  chosen = rows = ladder;
-  if (! isempty (ladder))
-    rows = ladder([ladder.error_m] > 0 & isfinite ([ladder.error_m]));
-    chosen = rows([rows.chosen]);
-  endif
   write_text (fullfile (scratch, "settings.gp"), [text, gnuplot_block("cost", {cost}), ...
                                                   ladder_block("ladder", rows), ladder_block("chosen", chosen)]);
   job = start_gnuplot (scratch, "chart.gp");
@@ -55,11 +55,12 @@ function text = ladder_block (name, rows)
     endif
   endfor
   text = sprintf ("$%s << EOD\n", name);
-  for row = spaced_labels (rows)
-    text = [text, sprintf("%.9g %.9g \"%s\"\n", row.seconds, row.error_m, row.label)];
-  endfor
   if (isempty (rows))
     text = [text, "NaN NaN \"\"\n"];
+  else
+    for row = spaced_labels (rows)
+      text = [text, sprintf("%.9g %.9g \"%s\"\n", row.seconds, row.error_m, row.label)];
+    endfor
   endif
   text = [text, "EOD\n"];
 endfunction
