@@ -18,7 +18,7 @@ derive_everything = maxima/derive "$$GENERATED" "$(MODES_LITERAL)"
 derive_surface = maxima/derive_surface "$${OUTPUT:-output/surfaces}" "$$SURFACE"
 draw_or_follow = $(if $(FUNCTION),argument_way (getenv ("FUNCTION"), getenv ("ARGUMENT")),draw_map ())
 
-.PHONY: help setup derive equations simulate models chart stability choices surfaces conditioning check map systems \
+.PHONY: help setup derive equations simulate models chart stability choices conditioning check map systems \
 	pairs mutants fuzz clean dist
 
 help:
@@ -31,9 +31,9 @@ help:
 	@echo 'make equations   write the derived energies and equations of motion as output/equations.tex [MODES="2 2"]'
 	@echo 'make check       run all tests'
 	@echo 'make chart       error against seconds and calls of all integrators: table and chart [MODES="7 7"]'
-	@echo 'make stability   where integrators and model turn unstable, predicted and measured: table and chart'
+	@echo 'make stability   where integrators turn unstable on SCENE=..., predicted and measured: table and chart;' \
+		'without SCENE all about the paper'"'"'s rod'
 	@echo 'make choices     all scenes that choose and 60 random ones: chosen models against far richer ones'
-	@echo 'make surfaces    convergence in modes of the scenes on surfaces: table and chart'
 	@echo 'make conditioning    condition number of the mass matrix of arcs against the number of base functions: table'
 	@echo 'make map         the folders of octave/ and the calls between them: output/map.svg, .png' \
 		'[FUNCTION=rod_rates ARGUMENT=phi: where that comes from]'
@@ -64,16 +64,13 @@ chart:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @work_precision; run_command'
 
 stability:
-	@$(run_octave) --eval 'source octave/toolchain_path.m; stability ();'
+	@$(run_octave) --eval 'source octave/toolchain_path.m; $(if $(SCENE),command = @scene_stability; run_command,stability ();)'
 
 choices:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; verify_choices (shipped_and_random (20, 40));'
 
 conditioning:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; conditioning ();'
-
-surfaces:
-	@$(run_octave) --eval 'source octave/toolchain_path.m; surface_modes ();'
 
 check:
 	@tests/check
