@@ -63,19 +63,21 @@ endfunction
 %!test # harmonic oscillator over ten periods, as it is and turned
 %! system = struct ("mass", 1, "state_scale", [1; 1], "turned", false, "stiffness", 1, "stiffness_at", @(t, y) 1, ...
 %!                  "velocity_matrix", 1, "initial_state", [1; 0], "duration", 60, "rate", @(t, y) [y(2); -y(1)]);
+%! system.calls = @() 0;
 %! for turned = [false, true]
 %!   system.turned = turned;
 %!   for ode = {@ode45, @ode23}
-%!     states = integrate_explicit (ode{1}, system, linspace (0, 20*pi, 11), [1; 0], struct ("tolerance", 1e-8));
+%!     states = integrate_explicit (ode{1}, system, linspace (0, 20*pi, 11), [1; 0], struct ("tolerance", 1e-8/(1 + 99*turned)));
 %!     assert (size (states), [2 11]);
 %!     assert (states(:,end), [1; 0], 1e-5);
 %!   endfor
 %! endfor
 %!test # equal steps: an error of order 5
-%! system = struct ("state_scale", [1; 1], "turned", false, "rate", @(t, y) [y(2); -y(1)]);
+%! system = struct ("state_scale", [1; 1], "turned", false, "rate", @(t, y) [y(2); -y(1)], "calls", @() 0);
 %! error = @(h) norm (integrate_explicit (@ode45, system, [0 2], [1; 0], struct ("tolerance", 1, "step", h))(:,2) ...
 %!                    - [cos(2); -sin(2)]);
 %! assert (log2 (error (0.1)/error (0.05)), 5, 0.3);
 %!error <ode45 stopped at t = 0.9\d* s of 2 s: its steps shrank to nothing>
-%! system = struct ("turned", false, "state_scale", 1, "mass", 1, "stiffness", 0, "rate", @(t, y) y^2);
+%! system = struct ("turned", false, "state_scale", 1, "mass", 1, "stiffness", 0, "rate", @(t, y) y^2, ...
+%!                  "calls", @() 0);
 %! integrate_explicit (@ode45, system, [0 0.9 0.99 2], 1, struct ("tolerance", 1e-6));

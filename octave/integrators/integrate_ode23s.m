@@ -31,7 +31,8 @@ function [states, steps] = integrate_ode23s (system, times, y, solver)
 endfunction
 
 %!test # a stiff oscillation, damped
-%! system = struct ("mass", 1, "stiffness", 1, "state_scale", [1; 10], "rate", @(t, y) [y(2); -y(1)-100*y(2)]);
+%! system = struct ("mass", 1, "stiffness", 1, "state_scale", [1; 10], "rate", @(t, y) [y(2); -y(1)-100*y(2)], ...
+%!                  "calls", @() 0);
 %! states = integrate_ode23s (system, [0 1 2], [1; 0], struct ("tolerance", 1e-7));
 %! roots = -50 + [1 -1]*sqrt (2499);
 %! assert (states(1,3), (roots(1)*exp (2*roots(2)) - roots(2)*exp (2*roots(1)))/diff (-roots), 1e-5);

@@ -15,11 +15,12 @@ function mode = highest_mode (system)
     change = step(k)*((1:n).' == k);
     jacobian(:,k) = (system.rate (0, y + change, interval) - system.rate (0, y - change, interval))./(2*step(k)*scale);
   endfor
-  [vectors, values] = eig (jacobian.*scale.');
+  [vectors, values, lefts] = eig (jacobian.*scale.');
   [mode.omega, k] = max (abs (imag (diag (values))));
-  left = inv (vectors)(k,:)./scale.';
-  shape = scale.*real (vectors(:,k));
-  mode.shape = 1e-6*shape/max (abs (shape(1:rows (system.mass)))./system.state_scale(1:rows (system.mass)));
+  left = lefts(:,k)'./scale.';
+  coordinates = 1:rows (system.mass);
+  [largest, j] = max (abs (vectors(coordinates,k)));
+  mode.shape = 1e-6*scale.*real (vectors(:,k)/vectors(coordinates(j),k));  # at its turning point
   mode.amplitude = @(states, from) abs (left*(states - from));
 endfunction
 

@@ -50,12 +50,10 @@ function [base, choices] = surface_choices ()
     "modes", "4 + 4, sines", {"model.sines", [2 2]}
     "modes", "auto", {"model.modes", "auto"}
     "solver", "auto", {}
-    "solver", "gauss", {"solver.name", "gauss"}
-    "solver", "ode45", {"solver.name", "ode45"}
-    "solver", "ode15s", {"solver.name", "ode15s"}
-    "solver", "lsode_adams", {"solver.name", "lsode_adams"}
-    "solver", "lsode_bdf", {"solver.name", "lsode_bdf"}
   }];
+  for name = {integrator_table({"rate", "residual"}).name}
+    choices(end+1,:) = {"solver", name{1}, {"solver.name", name{1}}};
+  endfor
 endfunction
 
 ## an arc in the chart
