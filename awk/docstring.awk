@@ -10,7 +10,7 @@ function put_head(operation_counts)
   put("## " texinfo(record["summary"]))
   put("##")
   put("## Equation " texinfo(record["equation"]) ".")
-  put_table("Argument", argument_count, argument_octave, argument_shape, argument_unit, argument_meaning)
+  put_table("Argument", argument_count, argument_label, argument_shape, argument_unit, argument_meaning)
   put_table("Result", result_count, result_octave, result_shape, result_unit, result_meaning)
   put("## @end deftypefn")
   put("")
@@ -22,13 +22,13 @@ function put_synopsis(    k)
   for (k = 1; k <= result_count; k++)
     emit("@var{" result_octave[k] "}" (k < result_count ? ", " : result_count > 1 ? "] " : " "))
   emit("=} " record["function"] " (")
-  for (k = 1; k <= argument_count; k++)
-    emit("@var{" argument_octave[k] "}" (k < argument_count ? ", " : ""))
+  for (k = 1; k <= parameter_count; k++)
+    emit("@var{" parameter[k] "}" (k < parameter_count ? ", " : ""))
   emit(")")
   put_comment_pieces()
 }
 
-function put_table(title, count, name, shape, unit, meaning,    k)
+function put_table(title, count, name, shape, unit, meaning,    k, label)
 {
   if (!count)
     return
@@ -36,7 +36,9 @@ function put_table(title, count, name, shape, unit, meaning,    k)
   put("## " title (count > 1 ? "s:" : ":"))
   put("## @table @asis")
   for (k = 1; k <= count; k++) {
-    put("## @item @var{" name[k] "} (" shape[k] ", " texinfo(unit[k]) ")")
+    label = name[k]
+    sub(/^[^.]+/, "@var{&}", label)
+    put("## @item " label " (" shape[k] ", " texinfo(unit[k]) ")")
     put("## " texinfo(meaning[k]))
   }
   put("## @end table")

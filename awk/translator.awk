@@ -1,6 +1,7 @@
 # The translator: read the record, parse its body, and print the Octave function once nothing more can go wrong.
 
 @include "record.awk"
+@include "structures.awk"
 @include "variables.awk"
 @include "names.awk"
 @include "lexer.awk"

@@ -19,8 +19,8 @@ function take_function_name(name)
 
 function take_argument(value,    field)
 {
-  split_fields(value, field)
-  argument_name[++argument_count] = field[1]
+  split_fields(take_structure(++argument_count, value), field)
+  argument_name[argument_count] = field[1]
   argument_shape[argument_count] = field[2]
   argument_unit[argument_count] = field[3]
   argument_meaning[argument_count] = field[4]
@@ -60,7 +60,7 @@ function name_arguments_and_results(    k, bit)
 {
   bit = 0
   for (k = 1; k <= argument_count; k++) {
-    argument_octave[k] = octave_name(argument_name[k])
+    name_argument(k)
     set_variable(argument_name[k], argument_octave[k], argument_shape[k], 0, \
       argument_shape[k] == "array" ? 2^bit++ : 0)
   }

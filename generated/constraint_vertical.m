@@ -100,23 +100,3 @@ function [residual, rate, acceleration, gradient_x_1, gradient_y_1, gradient_ang
   gradient_angle_2 = 0 + ...
       zeros(size(x_1 + y_1 + angle_1 + x_2 + y_2 + angle_2 + x_1_dot + y_1_dot + angle_1_dot + x_2_dot + y_2_dot + angle_2_dot + value + value_dot + value_ddot));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

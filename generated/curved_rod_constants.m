@@ -47,23 +47,3 @@ function [inertia_part, static_moment_1_part, static_moment_2_part] = curved_rod
   static_moment_1_part = rhoA*x + kappa*rhoI.*sin(theta) + zeros(size(y));
   static_moment_2_part = rhoA*y - cos(theta).*kappa*rhoI + zeros(size(x));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

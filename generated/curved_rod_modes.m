@@ -66,23 +66,3 @@ function [coupling_part, centrifugal_part, first_moment_1_part, first_moment_2_p
   first_moment_2_part = rhoA*u_2_j + chi_j.*kappa*rhoI.*sin(theta) - cos(theta).*e_j.*kappa*rhoI + ...
       zeros(size(u_1_j + x + y));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

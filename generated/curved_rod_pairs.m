@@ -67,23 +67,3 @@ function [mass_part, gyroscopic_part] = curved_rod_pairs (u_1_j, u_2_j, e_j, chi
       u_1_j.*(cos(theta).*e_k.*kappa*rhoI - chi_k.*kappa*rhoI.*sin(theta)) + rhoI*(chi_j.*e_k - ...
       chi_k.*e_j);
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -54,23 +54,3 @@ function stiffness_part = curved_rod_stiffness_paper (e_j, e_slope_j, bend_j, e_
   stiffness_part = 2*half_height*width*(e_slope_j.*e_slope_k*half_height^2*mu + 12*e_j.*e_k*mu + ...
       12*e_j.*e_k*lambda + 2*bend_j.*bend_k*half_height^2*mu + bend_j.*bend_k*half_height^2*lambda)/3;
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

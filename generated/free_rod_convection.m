@@ -111,23 +111,3 @@ function [convection_V, convection_phi, convection_x, convection_y] = free_rod_c
   convection_y = v_12.*v_2.*v_9/2 + 2*v_1.*v_7.*phi_dot - 2*v_2.*v_5.*phi_dot - v_12.*v_2*static_moment - ...
       v_12.*v_2.*v_8 - v_11.*v_2 - 2*v_1.*v_6.*phi_dot - v_1.*v_10.*v_12;
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -108,23 +108,3 @@ function [T, U, Z] = free_rod_energies (phi, phi_dot, V, V_dot, x_dot, y_dot, y,
   U = sum(V.*(stiffness_matrix*V), 1)/2;
   Z = gravity*(mass*y + v_5.*(static_moment + v_7 - v_8/2) + v_2.*v_6);
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -141,23 +141,3 @@ function [mass_V_phi, mass_V_x, mass_V_y, mass_phi_phi, mass_phi_x, mass_phi_y, 
       2*v_1.*v_13.*phi_dot - gravity*mass - v_2.*v_7.*v_8/2 - 2*v_1.*v_14.*phi_dot;
   dissipated_power = damping*sum(V_dot.*v_9, 1);
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

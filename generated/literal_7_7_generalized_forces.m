@@ -1045,23 +1045,3 @@ function forces = literal_7_7_generalized_forces (phi, V1, V2, phi_dot, V1_dot, 
       4*V1(2)*cos(phi)*density*gravity*half_height*length*width/(3*pi) - ...
       4*V1(1)*cos(phi)*density*gravity*half_height*length*width/pi];
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

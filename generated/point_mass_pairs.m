@@ -55,23 +55,3 @@ function [mass_matrix, gyroscopic_matrix, centrifugal_matrix, shortened_moment_m
   centrifugal_matrix = mass*shape_2_j.*shape_2_k + mass*shape_1_j.*shape_1_k - mass*shortening*station;
   shortened_moment_matrix = mass*shortening + zeros(size(shape_1_j + shape_2_j + shape_1_k + shape_2_k));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

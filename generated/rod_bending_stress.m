@@ -36,23 +36,3 @@ function stress = rod_bending_stress (curvature, width, half_height, EI)
   endif
   stress = 3*abs(EI)*abs(curvature)/(2*abs(width)*half_height^2);
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -36,23 +36,3 @@ function coefficients = rod_centrifugal (j, length, rhoA, rhoI)
   coefficients = merge(j > 0, -(-1).^j.*(4*length^2*rhoA + pi^2*rhoI + 4*pi^2*j.^2*rhoI - ...
       4*pi^2*j*rhoI)./(pi^2*(2*j - 1).^2), -j.*(6*rhoI + 3*length^2*rhoA - j.^2*length^2*rhoA)/6);
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -33,23 +33,3 @@ function value = rod_curvature_longitudinal (j, xi1, length)
   value = merge(j > 0, -pi^2*sin(pi*xi1.*(2*j - 1)/(2*length)).*(2*j - 1).^2/(4*length^2), merge(xi1 <= ...
       (-j*length), 0, 0));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -33,23 +33,3 @@ function value = rod_curvature_transversal (j, xi1, length)
   value = merge(j > 0, -pi^2*j.^2.*sin(pi*j.*xi1/length)/length^2, 6*(3*xi1 + 2*j.*xi1 - 2*length - ...
       j*length)/length^3);
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -153,23 +153,3 @@ function [force_v1, force_v2, force_w2, force_w4, force_stretch, force_stretch_s
       v_2.*w4.*y_ddot + v_2*gravity.*w4 - v2.*w2_ddot - 2*phi_dot.*w2.*w2_dot - phi_ddot.*w2.^2 - ...
       v_3.*w4.*x_ddot) + force_share.*(v_3.*force_x.*w4 - v_2.*force_y.*w4);
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -106,23 +106,3 @@ function [T, U, Z, angular_momentum] = rod_energies (phi, phi_dot, V, V_dot, mas
   angular_momentum = (4*follower_dd*phi_dot.^3 - 4*v_5*follower_ds*gravity.*phi_dot)/2 + v_3.*phi_dot + ...
       v_2 + v_1;
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

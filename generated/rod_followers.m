@@ -54,23 +54,3 @@ function V = rod_followers (phi, phi_dot, gravity, flexibility, centrifugal_vect
   V = flexibility*(shape_1.*(force_y.*sin(phi) + cos(phi).*force_x) + centrifugal_vector.*phi_dot.^2 - ...
       first_moment_1*gravity.*sin(phi));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -46,23 +46,3 @@ function coefficients = rod_gyroscopic (j, k, length, rhoA, rhoI)
       9*j.^4*length^2*rhoA - 6*j.^4.*k*length^2*rhoA - 30*j.^3*length^2*rhoA - 15*j.^3.*k*length^2*rhoA - ...
       30*j.^2*length^2*rhoA - 10*j.^2.*k*length^2*rhoA)/(60*length))));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

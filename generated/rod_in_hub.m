@@ -66,23 +66,3 @@ function [phi, phi_dot, hub_gradient, hub_acceleration] = rod_in_hub (theta, the
   hub_gradient = v_9.*slope_2 + v_2.*v_9.*slope_2 - v_1.*v_9.*slope_1;
   hub_acceleration = v_1.*v_10.*v_11.*v_6 - v_10.*v_11.*v_7 - v_10.*v_11.*v_2.*v_7;
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

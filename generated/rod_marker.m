@@ -144,23 +144,3 @@ function [x_m, y_m, angle, x_m_dot, y_m_dot, angle_dot, x_convection, y_convecti
   y_V = v_5.*shape_1 + v_1.*shape_2 - v_2.*v_5;
   angle_V = v_29.*slope_2 + v_29.*v_9.*slope_2 - v_29.*v_8.*slope_1;
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

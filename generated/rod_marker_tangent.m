@@ -96,23 +96,3 @@ function [phi_phi, phi_V, shortening, slope_1_1, slope_1_2, slope_2_2] = rod_mar
   slope_1_2 = 2*v_11.*v_9.*force_angle - force_angle./v_10;
   slope_2_2 = -2*v_11.*v_7.*v_8.*force_angle;
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

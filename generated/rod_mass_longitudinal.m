@@ -44,23 +44,3 @@ function coefficients = rod_mass_longitudinal (j, k, length, rhoA, rhoI)
       1).^2), min(-j, -k).*(6*rhoI + 6*length^2*max(-j, -k)*rhoA - length^2*min(-j, -k).^2*rhoA - ...
       3*length^2*max(-j, -k).^2*rhoA)/(6*length))));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

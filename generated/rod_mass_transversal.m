@@ -43,23 +43,3 @@ function coefficients = rod_mass_transversal (j, k, length, rhoA, rhoI)
       126*k*rhoI + 3*k*length^2*rhoA + 126*j*rhoI + 3*j*length^2*rhoA + 84*j.*k*rhoI + ...
       2*j.*k*length^2*rhoA)/(420*length))));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -115,23 +115,3 @@ function [force_V, force_phi, force_power, power_per_phi_ddot, mass_phi_phi] = r
   power_per_phi_ddot = 2*v_2*follower_fd.*force_y.*phi_dot + 2*v_1*follower_fd.*force_x.*phi_dot;
   mass_phi_phi = 2*v_2*follower_fd.*force_y + 2*v_1*follower_fd.*force_x;
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -47,23 +47,3 @@ function [force_slope, force_stretch] = rod_pull_on_slopes (slope, stretch, slop
   force_slope = slope_force + pull_4.*(slope.^3/2 - slope.*stretch) + pull_2.*slope;
   force_stretch = stretch_force - pull_4.*slope.^2/2;
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

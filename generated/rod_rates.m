@@ -148,23 +148,3 @@ function [V_ddot, phi_dot, torque, power, dissipated_power] = rod_rates (phi, an
   power = moment.*(v_25.*v_26.*(slope_2.'*V_dot) + v_24 - v_14.*v_26.*(slope_1.'*V_dot));
   dissipated_power = damping*sum(V_dot.*v_18, 1);
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

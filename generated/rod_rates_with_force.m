@@ -219,23 +219,3 @@ function [V_ddot, phi_dot, torque, power, dissipated_power] = rod_rates_with_for
       v_1.*v_14.*v_2.*v_29.*v_4*follower_ff;
   dissipated_power = damping*sum(V_dot.*v_21, 1);
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

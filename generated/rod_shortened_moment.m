@@ -39,23 +39,3 @@ function coefficients = rod_shortened_moment (j, k, length, rhoA)
       15*pi^2*j.^2)./(pi^3*j.^3), merge(k > 0, -rhoA*(36*j + pi^2*j.*k.^2.*(-1).^k + 54 - 54*(-1).^k - ...
       36*j.*(-1).^k - 15*pi^2*k.^2 - 7*pi^2*j.*k.^2)./(pi^3*k.^3), rhoA*(5*k + 2*j.*k + 5*j + 18)/20)));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -56,23 +56,3 @@ function coefficients = rod_shortening (j, k, xi1, length)
       315*k*length.*xi1.^3 - 150*j*length^3.*xi1 - 315*j*length.*xi1.^3 - 60*j.*k*length^3.*xi1 - ...
       180*j.*k*length.*xi1.^3)/(10*length^6))));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -56,23 +56,3 @@ function [w2_slope, w4_slope, w2_slope_dot, w4_slope_dot, w2_slope_ddot] = rod_s
   w4_slope_dot = slope_dot.*(slope.^3/2 - slope.*stretch) - v_1.*stretch_dot/2;
   w2_slope_ddot = slope_dot.^2 + slope.*slope_ddot;
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -41,23 +41,3 @@ function coefficients = rod_stiffness_longitudinal (j, k, length, EA, GI)
       cos(pi*k/2).*sin(pi*j.*k))/length, merge(k > 0, EA*(cos(pi*j.*k).*sin(pi*j/2) - ...
       cos(pi*j/2).*sin(pi*j.*k))/length, EA*min(-j, -k)/length)));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -37,23 +37,3 @@ function coefficients = rod_stiffness_transversal (j, k, length, EI)
       6*pi*EI*j.*((-1).^j + k.*(-1).^j + k + 2)/length^3, merge(k > 0, 6*pi*EI*k.*((-1).^k + j.*(-1).^k + ...
       j + 2)/length^3, 6*EI*(3*k + 2*j.*k + 3*j + 6)/length^3)));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -64,23 +64,3 @@ function [stiffness_V_V, stiffness_V_phi, stiffness_phi_phi] = rod_tangent_stiff
   stiffness_V_phi = cos(phi)*first_moment_1*gravity - first_moment_2*gravity*sin(phi);
   stiffness_phi_phi = -gravity*sin(phi)*static_moment;
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -59,23 +59,3 @@ function [n_1, n_2, n_3, determinant] = surface_bumps_normal (alpha1, alpha2, he
   n_3 = v_9;
   determinant = v_8;
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

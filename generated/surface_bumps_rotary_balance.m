@@ -254,23 +254,3 @@ function [balance_1, balance_2, balance_3, balance_4] = surface_bumps_rotary_bal
       v_16.*v_17.*v_22.*alpha2_1_ddot*rhoI - v_16.*v_22.*alpha1_1.*alpha1_1_ddot.*alpha2_1*rhoI - ...
       v_16.*v_22.*v_35.*v_47*rhoI;
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -116,23 +116,3 @@ function [T, U, Z, angular_momentum_1, angular_momentum_2, angular_momentum_3] =
   angular_momentum_3 = v_15.*v_16*v_2.*alpha1*rhoA + v_10.*v_13*v_3.*alpha1*rhoI - ...
       v_14.*v_17*v_2.*alpha1*rhoA + zeros(size(alpha1_11 + alpha2_11));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

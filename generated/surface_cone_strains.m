@@ -64,23 +64,3 @@ function [axial_strain, geodesic_bending, normal_bending, twist] = surface_cone_
   normal_bending = v_2*v_3*v_7.*v_8.*alpha1 + zeros(size(alpha2 + alpha1_11 + alpha2_11));
   twist = v_7*v_8.*alpha1_1.*alpha2_1 + zeros(size(alpha2 + alpha1_11 + alpha2_11));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -53,23 +53,3 @@ function [turning_1, turning_2, turning_3, turning_4] = surface_cone_turning (al
   turning_3 = -v_1*v_5.*alpha1.*alpha2_1 + zeros(size(alpha2));
   turning_4 = v_1*v_5.*alpha1.*alpha1_1 + zeros(size(alpha2));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

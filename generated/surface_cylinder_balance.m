@@ -108,23 +108,3 @@ function [balance_1, balance_2, balance_3, balance_4, balance_5, balance_6] = ..
   balance_6 = v_5.*v_6*EI.*alpha1_1 + ...
       zeros(size(alpha1 + alpha2 + alpha1_dot + alpha2_dot + alpha1_ddot + alpha2_ddot));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -62,23 +62,3 @@ function [load_1, load_2, load_3, load_4] = surface_cylinder_point_loads (alpha1
   load_3 = -v_2.*alpha2_1.*moment + zeros(size(alpha1 + alpha2 + force_1 + force_2 + force_3));
   load_4 = v_2.*alpha1_1.*moment + zeros(size(alpha1 + alpha2 + force_1 + force_2 + force_3));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

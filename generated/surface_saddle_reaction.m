@@ -174,23 +174,3 @@ function [reaction_0, reaction_1, reaction_2] = surface_saddle_reaction (alpha1,
       v_38.*v_39.^2) + 2*v_32.*v_46*EI.*(v_45.*v_7.*alpha2*fall + v_43.*v_7 - ...
       v_44.*v_7.*alpha1*rise))/2 + zeros(size(alpha1_dot + alpha2_dot));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

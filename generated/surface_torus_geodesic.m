@@ -47,23 +47,3 @@ function [alpha1_11, alpha2_11] = surface_torus_geodesic (alpha1, alpha2, alpha1
   alpha1_11 = 2*v_1.*alpha1_1.*alpha2_1*tube_radius./v_2 + zeros(size(alpha1));
   alpha2_11 = -v_1.*v_2.*alpha1_1.^2/tube_radius + zeros(size(alpha1 + alpha2_1));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

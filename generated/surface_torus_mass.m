@@ -44,23 +44,3 @@ function [mass_11, mass_12, mass_22] = surface_torus_mass (alpha1, alpha2, rhoA,
   mass_12 = 0 + zeros(size(alpha1 + alpha2));
   mass_22 = rhoA*tube_radius^2 + zeros(size(alpha1 + alpha2));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

@@ -159,23 +159,3 @@ function [reaction_0, reaction_1, reaction_2] = surface_torus_reaction (alpha1, 
       2*v_30.*v_37*EI.*(v_2.*v_29.*v_9 + v_2.*v_25.*v_7 + v_1.*v_27))/2 + ...
       zeros(size(alpha1_dot + alpha2_dot));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

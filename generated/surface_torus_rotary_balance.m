@@ -146,23 +146,3 @@ function [balance_1, balance_2, balance_3, balance_4] = surface_torus_rotary_bal
       v_10*v_11.*v_13.*alpha1_1.*alpha1_1_ddot.*alpha2_1*rhoI - v_10*v_11.*v_13.*v_15.*v_17*rhoI + ...
       zeros(size(alpha1));
 endfunction
-
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction

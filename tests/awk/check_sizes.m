@@ -10,10 +10,10 @@ function check (name, passed)
   endif
 endfunction
 
-function check_message (arguments_given, wanted)
+function check_message (arguments_given, wanted, f = @every_shape)
   message = "no error";
   try
-    every_shape (arguments_given{:});
+    f (arguments_given{:});
   catch problem
     message = problem.message;
   end_try_catch
@@ -46,6 +46,15 @@ check_message (replace (good, 6, ones (2, 1, 2)), "every_shape: W must be 2-by-1
 check_message (replace (good, 7, [1, 2]), "every_shape: M must be 2-by-2, not 1-by-2");
 check_message (replace (good, 8, [1, 2, 3]), "every_shape: sin_ must be 3-by-1, not 1-by-3");
 check_message (good(1:8), "Invalid call to every_shape");
+
+rod = struct ("mass_matrix", M, "end", 3, "sin", [1; 2; 3], "not asked for", 4);
+good = {rod, 2, struct("V", V), struct("x", [1, 2], "y", 7)};
+[energy, elementwise] = structures (good{:});
+check ("fields of structs", energy == V.'*M*V && isequal (elementwise, sin ([1, 2]) + 3*2*7));
+check_message (replace (good, 1, setfield (rod, "sin", 1)), ...
+               "structures: rod.sin must be 3-by-1, not 1-by-1", @structures);
+check_message (replace (good, 3, struct ("V", 1)), "structures: motion.V must be 2-by-1, not 1-by-1", @structures);
+check_message (good(1:3), "Invalid call to structures", @structures);
 
 [text, format] = get_help_text ("every_shape");
 check ("help is Texinfo", strcmp (format, "texinfo") && ! isempty (strfind (text, "@{braces@} and an @@")));

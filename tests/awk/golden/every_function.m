@@ -45,26 +45,6 @@ function [powers, functions, repeated, product] = every_function (x, n, M)
   product = M^n*M^(-1);
 endfunction
 
-## Name the first argument of a wrong size. Arrays, with [] for their size, are scalars or of equal sizes.
-function check_sizes (caller, checked)
-  written = @(sizes) sprintf ("-by-%d", sizes)(5:end);
-  common = [];
-  for k = 1:rows (checked)
-    [name, value, expected] = checked{k,:};
-    if (isempty (expected) && isscalar (value))
-      continue;
-    elseif (isempty (expected))
-      if (isempty (common))
-        common = size (value);
-      endif
-      expected = common;
-    endif
-    if (! isequal (size (value), expected))
-      error ("%s: %s must be %s, not %s", caller, name, written (expected), written (size (value)));
-    endif
-  endfor
-endfunction
-
 ## Maxima's round: a half goes to its even neighbour.
 function y = round_half_even (x)
   y = round (x) - sign (x) .* (abs (rem (x, 2)) == 0.5);
