@@ -45,7 +45,7 @@ function unary_node(operator, operand,    id)
 }
 
 # Infix operators: + - * / ^ elementwise, . of matrices, relations, and, or.
-function binary_node(operator, left, right,    id, shape)
+function binary_node(operator, left, right)
 {
   check_kind(left, operator)
   check_kind(right, operator)
@@ -53,6 +53,23 @@ function binary_node(operator, left, right,    id, shape)
     shorten_quotient(left, right)
   if (operator == "." && (node_shape[left] == "scalar" || node_shape[right] == "scalar"))
     operator = "*"
+  return operator == "*" ? product_node(left, right) : infix_node(operator, left, right)
+}
+
+# A factor goes before the larger ones of a product: V*a*b is a*b*V, where numbers are multiplied first.
+function product_node(left, right,    first)
+{
+  if (node_operator[left] != "*" || extent_of(node_shape[right]) >= extent_of(node_shape[child[left, 2]]))
+    return infix_node("*", left, right)
+  first = child[left, 1]
+  if (node_operator[first] ~ /^[*\/]$/ || starts_negative(first) || \
+      extent_of(node_shape[right]) >= extent_of(node_shape[first]))
+    return infix_node("*", product_node(first, right), child[left, 2])
+  return infix_node("*", infix_node("*", right, first), child[left, 2])
+}
+
+function infix_node(operator, left, right,    id, shape)
+{
   if (operator == ".")
     shape = product_shape(node_shape[left], node_shape[right])
   else

@@ -14,6 +14,12 @@ function common_shape(left, right, operation)
   fail("`" operation "' cannot combine " left " and " right)
 }
 
+# How much there is to compute: of a number, of one a time or an array, of a matrix, of a column a time.
+function extent_of(shape)
+{
+  return shape == "scalar" ? 0 : shape ~ /^(array|1-by-times)$/ ? 1 : shape ~ /-by-times$/ ? 3 : 2
+}
+
 function rows_of(shape)
 {
   return shape ~ /-by-/ ? substr(shape, 1, index(shape, "-") - 1) : shape

@@ -3,47 +3,45 @@
 ## @c Equation (28); 25 additions, 20 multiplications, 2 calls.
 ## @deftypefn {} {[@var{residual}, @var{rate}, @var{acceleration}, @var{gradient_x_1}, @var{gradient_y_1}, @
 ##   @var{gradient_angle_1}, @var{gradient_x_2}, @var{gradient_y_2}, @var{gradient_angle_2}] @
-##   =} constraint_line (@var{x_1}, @var{y_1}, @var{angle_1}, @var{x_2}, @var{y_2}, @var{angle_2}, @
-##   @var{x_1_dot}, @var{y_1_dot}, @var{angle_1_dot}, @var{x_2_dot}, @var{y_2_dot}, @var{angle_2_dot}, @
-##   @var{offset}, @var{value}, @var{value_dot}, @var{value_ddot})
+##   =} constraint_line (@var{markers}, @var{prescribed}, @var{offset})
 ## The first marker is off the line along the second's tangent by a value.
 ##
 ## Equation (28).
 ##
 ## Arguments:
 ## @table @asis
-## @item @var{x_1} (array, m)
+## @item @var{markers}.x_1 (array, m)
 ## position of the first marker
-## @item @var{y_1} (array, m)
+## @item @var{markers}.y_1 (array, m)
 ## likewise
-## @item @var{angle_1} (array, rad)
+## @item @var{markers}.angle_1 (array, rad)
 ## angle of its tangent
-## @item @var{x_2} (array, m)
+## @item @var{markers}.x_2 (array, m)
 ## position of the second marker
-## @item @var{y_2} (array, m)
+## @item @var{markers}.y_2 (array, m)
 ## likewise
-## @item @var{angle_2} (array, rad)
+## @item @var{markers}.angle_2 (array, rad)
 ## angle of its tangent
-## @item @var{x_1_dot} (array, m/s)
+## @item @var{markers}.x_1_dot (array, m/s)
 ## rates of those
-## @item @var{y_1_dot} (array, m/s)
+## @item @var{markers}.y_1_dot (array, m/s)
 ## likewise
-## @item @var{angle_1_dot} (array, rad/s)
+## @item @var{markers}.angle_1_dot (array, rad/s)
 ## likewise
-## @item @var{x_2_dot} (array, m/s)
+## @item @var{markers}.x_2_dot (array, m/s)
 ## likewise
-## @item @var{y_2_dot} (array, m/s)
+## @item @var{markers}.y_2_dot (array, m/s)
 ## likewise
-## @item @var{angle_2_dot} (array, rad/s)
+## @item @var{markers}.angle_2_dot (array, rad/s)
 ## likewise
+## @item @var{prescribed}.value (array, m or rad)
+## what the constraint prescribes
+## @item @var{prescribed}.value_dot (array, m/s or rad/s)
+## its rate
+## @item @var{prescribed}.value_ddot (array, m/s^2 or rad/s^2)
+## its acceleration
 ## @item @var{offset} (array, rad)
 ## angle of the line against the second tangent
-## @item @var{value} (array, m or rad)
-## what the constraint prescribes
-## @item @var{value_dot} (array, m/s or rad/s)
-## its rate
-## @item @var{value_ddot} (array, m/s^2 or rad/s^2)
-## its acceleration
 ## @end table
 ##
 ## Results:
@@ -70,18 +68,34 @@
 ## @end deftypefn
 
 function [residual, rate, acceleration, gradient_x_1, gradient_y_1, gradient_angle_1, gradient_x_2, ...
-      gradient_y_2, gradient_angle_2] = constraint_line (x_1, y_1, angle_1, x_2, y_2, angle_2, x_1_dot, ...
-      y_1_dot, angle_1_dot, x_2_dot, y_2_dot, angle_2_dot, offset, value, value_dot, value_ddot)
-  if (nargin != 16)
+      gradient_y_2, gradient_angle_2] = constraint_line (markers, prescribed, offset)
+  if (nargin != 3)
     print_usage ();
   endif
+  x_1 = markers.x_1;
+  y_1 = markers.y_1;
+  angle_1 = markers.angle_1;
+  x_2 = markers.x_2;
+  y_2 = markers.y_2;
+  angle_2 = markers.angle_2;
+  x_1_dot = markers.x_1_dot;
+  y_1_dot = markers.y_1_dot;
+  angle_1_dot = markers.angle_1_dot;
+  x_2_dot = markers.x_2_dot;
+  y_2_dot = markers.y_2_dot;
+  angle_2_dot = markers.angle_2_dot;
+  value = prescribed.value;
+  value_dot = prescribed.value_dot;
+  value_ddot = prescribed.value_ddot;
   if (! size_equal (x_1, y_1, angle_1, x_2, y_2, angle_2, x_1_dot, y_1_dot, angle_1_dot, x_2_dot, ...
-      y_2_dot, angle_2_dot, offset, value, value_dot, value_ddot))
-    check_sizes ("constraint_line", {"x_1", x_1, []; "y_1", y_1, []; "angle_1", angle_1, []; ...
-      "x_2", x_2, []; "y_2", y_2, []; "angle_2", angle_2, []; "x_1_dot", x_1_dot, []; ...
-      "y_1_dot", y_1_dot, []; "angle_1_dot", angle_1_dot, []; "x_2_dot", x_2_dot, []; ...
-      "y_2_dot", y_2_dot, []; "angle_2_dot", angle_2_dot, []; "offset", offset, []; "value", value, []; ...
-      "value_dot", value_dot, []; "value_ddot", value_ddot, []});
+      y_2_dot, angle_2_dot, value, value_dot, value_ddot, offset))
+    check_sizes ("constraint_line", {"markers.x_1", x_1, []; "markers.y_1", y_1, []; ...
+      "markers.angle_1", angle_1, []; "markers.x_2", x_2, []; "markers.y_2", y_2, []; ...
+      "markers.angle_2", angle_2, []; "markers.x_1_dot", x_1_dot, []; "markers.y_1_dot", y_1_dot, []; ...
+      "markers.angle_1_dot", angle_1_dot, []; "markers.x_2_dot", x_2_dot, []; ...
+      "markers.y_2_dot", y_2_dot, []; "markers.angle_2_dot", angle_2_dot, []; ...
+      "prescribed.value", value, []; "prescribed.value_dot", value_dot, []; ...
+      "prescribed.value_ddot", value_ddot, []; "offset", offset, []});
   endif
   v_1 = offset + angle_2;
   v_2 = sin(v_1);
@@ -91,7 +105,7 @@ function [residual, rate, acceleration, gradient_x_1, gradient_y_1, gradient_ang
   residual = v_4.*v_5 - value - v_2.*v_3 + ...
       zeros(size(angle_1 + x_1_dot + y_1_dot + angle_1_dot + x_2_dot + y_2_dot + angle_2_dot + value_dot + value_ddot));
   rate = -value_dot + ...
-      zeros(size(x_1 + y_1 + angle_1 + x_2 + y_2 + angle_2 + x_1_dot + y_1_dot + angle_1_dot + x_2_dot + y_2_dot + angle_2_dot + offset + value + value_ddot));
+      zeros(size(x_1 + y_1 + angle_1 + x_2 + y_2 + angle_2 + x_1_dot + y_1_dot + angle_1_dot + x_2_dot + y_2_dot + angle_2_dot + value + value_ddot + offset));
   acceleration = angle_2_dot.*(angle_2_dot.*(v_2.*v_3 - v_4.*v_5) + v_4.*x_2_dot + v_2.*y_2_dot - ...
       v_4.*x_1_dot - v_2.*y_1_dot) + v_4.*angle_2_dot.*x_2_dot + v_2.*angle_2_dot.*y_2_dot - value_ddot - ...
       v_4.*angle_2_dot.*x_1_dot - v_2.*angle_2_dot.*y_1_dot + ...
@@ -101,7 +115,7 @@ function [residual, rate, acceleration, gradient_x_1, gradient_y_1, gradient_ang
   gradient_y_1 = v_4 + ...
       zeros(size(x_1 + y_1 + angle_1 + x_2 + y_2 + x_1_dot + y_1_dot + angle_1_dot + x_2_dot + y_2_dot + angle_2_dot + value + value_dot + value_ddot));
   gradient_angle_1 = 0 + ...
-      zeros(size(x_1 + y_1 + angle_1 + x_2 + y_2 + angle_2 + x_1_dot + y_1_dot + angle_1_dot + x_2_dot + y_2_dot + angle_2_dot + offset + value + value_dot + value_ddot));
+      zeros(size(x_1 + y_1 + angle_1 + x_2 + y_2 + angle_2 + x_1_dot + y_1_dot + angle_1_dot + x_2_dot + y_2_dot + angle_2_dot + value + value_dot + value_ddot + offset));
   gradient_x_2 = v_2 + ...
       zeros(size(x_1 + y_1 + angle_1 + x_2 + y_2 + x_1_dot + y_1_dot + angle_1_dot + x_2_dot + y_2_dot + angle_2_dot + value + value_dot + value_ddot));
   gradient_y_2 = -v_4 + ...

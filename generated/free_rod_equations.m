@@ -3,57 +3,53 @@
 ## @c Equation (28); 40 additions, 96 multiplications, 5 divisions, 1 power, 8 calls.
 ## @deftypefn {} {[@var{mass_V_phi}, @var{mass_V_x}, @var{mass_V_y}, @var{mass_phi_phi}, @var{mass_phi_x}, @
 ##   @var{mass_phi_y}, @var{force_V}, @var{force_phi}, @var{force_x}, @var{force_y}, @
-##   @var{dissipated_power}] =} free_rod_equations (@var{phi}, @var{phi_dot}, @var{V}, @var{V_dot}, @
-##   @var{x_dot}, @var{y_dot}, @var{mass_matrix}, @var{gyroscopic_matrix}, @var{coupling_vector}, @
-##   @var{centrifugal_vector}, @var{centrifugal_matrix}, @var{moment_of_inertia}, @var{stiffness_matrix}, @
-##   @var{gravity}, @var{static_moment}, @var{first_moment_1}, @var{first_moment_2}, @
-##   @var{shortened_moment_matrix}, @var{damping}, @var{mass})
+##   @var{dissipated_power}] =} free_rod_equations (@var{motion}, @var{rod}, @var{gravity})
 ## Mass matrix and generalized forces of the free rod in (V, phi, x, y).
 ##
 ## Equation (28).
 ##
 ## Arguments:
 ## @table @asis
-## @item @var{phi} (1-by-times, rad)
+## @item @var{motion}.phi (1-by-times, rad)
 ## rotation of the rod's frame x
-## @item @var{phi_dot} (1-by-times, rad/s)
+## @item @var{motion}.phi_dot (1-by-times, rad/s)
 ## its rate
-## @item @var{V} (n-by-times, m)
+## @item @var{motion}.V (n-by-times, m)
 ## amplitudes of the modes
-## @item @var{V_dot} (n-by-times, m/s)
+## @item @var{motion}.V_dot (n-by-times, m/s)
 ## their rates
-## @item @var{x_dot} (1-by-times, m/s)
+## @item @var{motion}.x_dot (1-by-times, m/s)
 ## horizontal velocity of the frame's origin
-## @item @var{y_dot} (1-by-times, m/s)
+## @item @var{motion}.y_dot (1-by-times, m/s)
 ## vertical velocity of it
-## @item @var{mass_matrix} (n-by-n, kg)
+## @item @var{rod}.mass_matrix (n-by-n, kg)
 ## M
-## @item @var{gyroscopic_matrix} (n-by-n, kg)
+## @item @var{rod}.gyroscopic_matrix (n-by-n, kg)
 ## G
-## @item @var{coupling_vector} (n-by-1, kg m)
+## @item @var{rod}.coupling_vector (n-by-1, kg m)
 ## c
-## @item @var{centrifugal_vector} (n-by-1, kg m)
+## @item @var{rod}.centrifugal_vector (n-by-1, kg m)
 ## d
-## @item @var{centrifugal_matrix} (n-by-n, kg)
+## @item @var{rod}.centrifugal_matrix (n-by-n, kg)
 ## N: M, less the foreshortening
-## @item @var{moment_of_inertia} (scalar, kg m^2)
+## @item @var{rod}.moment_of_inertia (scalar, kg m^2)
 ## J
-## @item @var{stiffness_matrix} (n-by-n, N/m)
+## @item @var{rod}.stiffness_matrix (n-by-n, N/m)
 ## K
+## @item @var{rod}.static_moment (scalar, kg m)
+## first moment of mass of the undeformed rod
+## @item @var{rod}.first_moment_1 (n-by-1, kg)
+## first moments of mass along the rod
+## @item @var{rod}.first_moment_2 (n-by-1, kg)
+## first moments of mass across it
+## @item @var{rod}.shortened_moment_matrix (n-by-n, kg/m)
+## Y: first moment of mass that the foreshortening takes
+## @item @var{rod}.damping (scalar, s)
+## Kelvin-Voigt time
+## @item @var{rod}.mass (scalar, kg)
+## mass of the rod
 ## @item @var{gravity} (scalar, m/s^2)
 ## acceleration of gravity
-## @item @var{static_moment} (scalar, kg m)
-## first moment of mass of the undeformed rod
-## @item @var{first_moment_1} (n-by-1, kg)
-## first moments of mass along the rod
-## @item @var{first_moment_2} (n-by-1, kg)
-## first moments of mass across it
-## @item @var{shortened_moment_matrix} (n-by-n, kg/m)
-## Y: first moment of mass that the foreshortening takes
-## @item @var{damping} (scalar, s)
-## Kelvin-Voigt time
-## @item @var{mass} (scalar, kg)
-## mass of the rod
 ## @end table
 ##
 ## Results:
@@ -84,31 +80,49 @@
 ## @end deftypefn
 
 function [mass_V_phi, mass_V_x, mass_V_y, mass_phi_phi, mass_phi_x, mass_phi_y, force_V, force_phi, ...
-      force_x, force_y, dissipated_power] = free_rod_equations (phi, phi_dot, V, V_dot, x_dot, y_dot, ...
-      mass_matrix, gyroscopic_matrix, coupling_vector, centrifugal_vector, centrifugal_matrix, ...
-      moment_of_inertia, stiffness_matrix, gravity, static_moment, first_moment_1, first_moment_2, ...
-      shortened_moment_matrix, damping, mass)
-  if (nargin != 20)
+      force_x, force_y, dissipated_power] = free_rod_equations (motion, rod, gravity)
+  if (nargin != 3)
     print_usage ();
   endif
+  phi = motion.phi;
+  phi_dot = motion.phi_dot;
+  V = motion.V;
+  V_dot = motion.V_dot;
+  x_dot = motion.x_dot;
+  y_dot = motion.y_dot;
+  mass_matrix = rod.mass_matrix;
+  gyroscopic_matrix = rod.gyroscopic_matrix;
+  coupling_vector = rod.coupling_vector;
+  centrifugal_vector = rod.centrifugal_vector;
+  centrifugal_matrix = rod.centrifugal_matrix;
+  moment_of_inertia = rod.moment_of_inertia;
+  stiffness_matrix = rod.stiffness_matrix;
+  static_moment = rod.static_moment;
+  first_moment_1 = rod.first_moment_1;
+  first_moment_2 = rod.first_moment_2;
+  shortened_moment_matrix = rod.shortened_moment_matrix;
+  damping = rod.damping;
+  mass = rod.mass;
   times = columns (phi);
   n = rows (V);
-  if (! size_equal (1, moment_of_inertia, gravity, static_moment, damping, mass) || ! size_equal (phi, ...
+  if (! size_equal (1, moment_of_inertia, static_moment, damping, mass, gravity) || ! size_equal (phi, ...
       phi_dot, x_dot, y_dot) || rows (phi) != 1 || ! size_equal (V, V_dot) || columns (V) != times || ...
       ! size_equal (mass_matrix, gyroscopic_matrix, centrifugal_matrix, stiffness_matrix, ...
       shortened_moment_matrix) || rows (mass_matrix) != n || columns (mass_matrix) != n || ...
       ! size_equal (coupling_vector, centrifugal_vector, first_moment_1, first_moment_2) || ...
       rows (coupling_vector) != n || columns (coupling_vector) != 1)
-    check_sizes ("free_rod_equations", {"phi", phi, [1, times]; "phi_dot", phi_dot, [1, times]; ...
-      "V", V, [n, times]; "V_dot", V_dot, [n, times]; "x_dot", x_dot, [1, times]; ...
-      "y_dot", y_dot, [1, times]; "mass_matrix", mass_matrix, [n, n]; ...
-      "gyroscopic_matrix", gyroscopic_matrix, [n, n]; "coupling_vector", coupling_vector, [n, 1]; ...
-      "centrifugal_vector", centrifugal_vector, [n, 1]; "centrifugal_matrix", centrifugal_matrix, [n, n]; ...
-      "moment_of_inertia", moment_of_inertia, [1, 1]; "stiffness_matrix", stiffness_matrix, [n, n]; ...
-      "gravity", gravity, [1, 1]; "static_moment", static_moment, [1, 1]; ...
-      "first_moment_1", first_moment_1, [n, 1]; "first_moment_2", first_moment_2, [n, 1]; ...
-      "shortened_moment_matrix", shortened_moment_matrix, [n, n]; "damping", damping, [1, 1]; ...
-      "mass", mass, [1, 1]});
+    check_sizes ("free_rod_equations", {"motion.phi", phi, [1, times]; ...
+      "motion.phi_dot", phi_dot, [1, times]; "motion.V", V, [n, times]; ...
+      "motion.V_dot", V_dot, [n, times]; "motion.x_dot", x_dot, [1, times]; ...
+      "motion.y_dot", y_dot, [1, times]; "rod.mass_matrix", mass_matrix, [n, n]; ...
+      "rod.gyroscopic_matrix", gyroscopic_matrix, [n, n]; "rod.coupling_vector", coupling_vector, [n, 1]; ...
+      "rod.centrifugal_vector", centrifugal_vector, [n, 1]; ...
+      "rod.centrifugal_matrix", centrifugal_matrix, [n, n]; ...
+      "rod.moment_of_inertia", moment_of_inertia, [1, 1]; ...
+      "rod.stiffness_matrix", stiffness_matrix, [n, n]; "rod.static_moment", static_moment, [1, 1]; ...
+      "rod.first_moment_1", first_moment_1, [n, 1]; "rod.first_moment_2", first_moment_2, [n, 1]; ...
+      "rod.shortened_moment_matrix", shortened_moment_matrix, [n, n]; "rod.damping", damping, [1, 1]; ...
+      "rod.mass", mass, [1, 1]; "gravity", gravity, [1, 1]});
   endif
   v_1 = cos(phi);
   v_2 = sin(phi);
@@ -130,14 +144,14 @@ function [mass_V_phi, mass_V_x, mass_V_y, mass_phi_phi, mass_phi_x, mass_phi_y, 
   mass_phi_phi = moment_of_inertia + 2*(centrifugal_vector.'*V) + sum(V.*v_4, 1);
   mass_phi_x = v_2.*v_7/2 - v_2*static_moment - v_2.*v_6 - v_1.*v_5;
   mass_phi_y = v_1*static_moment + v_1.*v_6 - v_2.*v_5 - v_1.*v_7/2;
-  force_V = v_8.*centrifugal_vector + v_4.*v_8 + v_2.*v_3*gravity - stiffness_matrix*V - ...
-      2*(gyroscopic_matrix*V_dot).*phi_dot - v_9*damping - v_2.*first_moment_1*gravity - ...
-      v_1.*first_moment_2*gravity;
-  force_phi = v_2.*v_5*gravity + v_1.*v_7*gravity/2 - 2*(centrifugal_vector.'*V_dot).*phi_dot - ...
-      2*sum(V.*(centrifugal_matrix*V_dot), 1).*phi_dot - v_1*gravity*static_moment - v_1.*v_6*gravity;
-  force_x = 2*v_14.*v_2.*phi_dot + v_1.*v_8*static_moment + v_1.*v_6.*v_8 + 2*v_1.*v_12.*phi_dot + ...
+  force_V = v_8.*centrifugal_vector + v_4.*v_8 + gravity*v_2.*v_3 - stiffness_matrix*V - ...
+      2*phi_dot.*(gyroscopic_matrix*V_dot) - v_9*damping - gravity*v_2.*first_moment_1 - ...
+      gravity*v_1.*first_moment_2;
+  force_phi = gravity*v_2.*v_5 + gravity*v_1.*v_7/2 - 2*(centrifugal_vector.'*V_dot).*phi_dot - ...
+      2*sum(V.*(centrifugal_matrix*V_dot), 1).*phi_dot - v_1*gravity*static_moment - gravity*v_1.*v_6;
+  force_x = 2*v_14.*v_2.*phi_dot + static_moment*v_1.*v_8 + v_1.*v_6.*v_8 + 2*v_1.*v_12.*phi_dot + ...
       v_1.*v_11 - v_2.*v_5.*v_8 - 2*v_13.*v_2.*phi_dot - v_1.*v_7.*v_8/2;
-  force_y = v_2.*v_8*static_moment + v_2.*v_6.*v_8 + 2*v_12.*v_2.*phi_dot + v_11.*v_2 + v_1.*v_5.*v_8 + ...
+  force_y = static_moment*v_2.*v_8 + v_2.*v_6.*v_8 + 2*v_12.*v_2.*phi_dot + v_11.*v_2 + v_1.*v_5.*v_8 + ...
       2*v_1.*v_13.*phi_dot - gravity*mass - v_2.*v_7.*v_8/2 - 2*v_1.*v_14.*phi_dot;
   dissipated_power = damping*sum(V_dot.*v_9, 1);
 endfunction

@@ -41,8 +41,8 @@ function [coupling_vector, centrifugal_vector, first_moment_1, first_moment_2] =
     check_sizes ("point_mass_modes", {"shape_1_j", shape_1_j, []; "shape_2_j", shape_2_j, []; ...
       "station", station, [1, 1]; "mass", mass, [1, 1]});
   endif
-  coupling_vector = mass*shape_2_j*station + zeros(size(shape_1_j));
-  centrifugal_vector = mass*shape_1_j*station + zeros(size(shape_2_j));
+  coupling_vector = mass*station*shape_2_j + zeros(size(shape_1_j));
+  centrifugal_vector = mass*station*shape_1_j + zeros(size(shape_2_j));
   first_moment_1 = mass*shape_1_j + zeros(size(shape_2_j));
   first_moment_2 = mass*shape_2_j + zeros(size(shape_1_j));
 endfunction

@@ -52,6 +52,6 @@ function [mass_matrix, gyroscopic_matrix, centrifugal_matrix, shortened_moment_m
   endif
   mass_matrix = mass*shape_2_j.*shape_2_k + mass*shape_1_j.*shape_1_k + zeros(size(shortening));
   gyroscopic_matrix = mass*shape_1_k.*shape_2_j - mass*shape_1_j.*shape_2_k + zeros(size(shortening));
-  centrifugal_matrix = mass*shape_2_j.*shape_2_k + mass*shape_1_j.*shape_1_k - mass*shortening*station;
+  centrifugal_matrix = mass*shape_2_j.*shape_2_k + mass*shape_1_j.*shape_1_k - mass*station*shortening;
   shortened_moment_matrix = mass*shortening + zeros(size(shape_1_j + shape_2_j + shape_1_k + shape_2_k));
 endfunction

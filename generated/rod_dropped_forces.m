@@ -3,80 +3,76 @@
 ## @c Equation (28); 36 additions, 73 multiplications, 2 divisions, 5 powers, 2 calls.
 ## @deftypefn {} {[@var{force_v1}, @var{force_v2}, @var{force_w2}, @var{force_w4}, @var{force_stretch}, @
 ##   @var{force_stretch_slope}, @var{force_slope}, @var{force_bend}, @var{force_phi}] @
-##   =} rod_dropped_forces (@var{phi}, @var{phi_dot}, @var{phi_ddot}, @var{x_ddot}, @var{y_ddot}, @var{v1}, @
-##   @var{v1_dot}, @var{v1_ddot}, @var{v2}, @var{v2_dot}, @var{v2_ddot}, @var{w2}, @var{w2_dot}, @
-##   @var{w2_ddot}, @var{w4}, @var{w4_dot}, @var{stretch}, @var{stretch_dot}, @var{stretch_ddot}, @
-##   @var{slope}, @var{slope_dot}, @var{slope_ddot}, @var{stretch_slope}, @var{bend}, @var{xi1}, @
-##   @var{rhoA}, @var{rhoI}, @var{EI}, @var{gravity}, @var{force_share}, @var{force_x}, @var{force_y})
+##   =} rod_dropped_forces (@var{motion}, @var{field}, @var{points}, @var{gravity}, @var{loads})
 ## Generalized forces, at points, of the Lagrangian that the rod's model drops.
 ##
 ## Equation (28).
 ##
 ## Arguments:
 ## @table @asis
-## @item @var{phi} (1-by-times, rad)
+## @item @var{motion}.phi (1-by-times, rad)
 ## rotation of the rod's frame x
-## @item @var{phi_dot} (1-by-times, rad/s)
+## @item @var{motion}.phi_dot (1-by-times, rad/s)
 ## its rate
-## @item @var{phi_ddot} (1-by-times, rad/s^2)
+## @item @var{motion}.phi_ddot (1-by-times, rad/s^2)
 ## its second rate
-## @item @var{x_ddot} (1-by-times, m/s^2)
+## @item @var{motion}.x_ddot (1-by-times, m/s^2)
 ## horizontal acceleration of its origin
-## @item @var{y_ddot} (1-by-times, m/s^2)
+## @item @var{motion}.y_ddot (1-by-times, m/s^2)
 ## vertical acceleration of it
-## @item @var{v1} (n-by-times, m)
+## @item @var{field}.v1 (n-by-times, m)
 ## displacement along the rod
-## @item @var{v1_dot} (n-by-times, m/s)
+## @item @var{field}.v1_dot (n-by-times, m/s)
 ## its rate
-## @item @var{v1_ddot} (n-by-times, m/s^2)
+## @item @var{field}.v1_ddot (n-by-times, m/s^2)
 ## its second rate
-## @item @var{v2} (n-by-times, m)
+## @item @var{field}.v2 (n-by-times, m)
 ## displacement across it
-## @item @var{v2_dot} (n-by-times, m/s)
+## @item @var{field}.v2_dot (n-by-times, m/s)
 ## its rate
-## @item @var{v2_ddot} (n-by-times, m/s^2)
+## @item @var{field}.v2_ddot (n-by-times, m/s^2)
 ## its second rate
-## @item @var{w2} (n-by-times, m)
+## @item @var{field}.w2 (n-by-times, m)
 ## how much nearer to O the point comes, second order
-## @item @var{w2_dot} (n-by-times, m/s)
+## @item @var{field}.w2_dot (n-by-times, m/s)
 ## its rate
-## @item @var{w2_ddot} (n-by-times, m/s^2)
+## @item @var{field}.w2_ddot (n-by-times, m/s^2)
 ## its second rate
-## @item @var{w4} (n-by-times, m)
+## @item @var{field}.w4 (n-by-times, m)
 ## how much nearer, fourth order
-## @item @var{w4_dot} (n-by-times, m/s)
+## @item @var{field}.w4_dot (n-by-times, m/s)
 ## its rate
-## @item @var{stretch} (n-by-times, 1)
+## @item @var{field}.stretch (n-by-times, 1)
 ## v1,1
-## @item @var{stretch_dot} (n-by-times, 1/s)
+## @item @var{field}.stretch_dot (n-by-times, 1/s)
 ## its rate
-## @item @var{stretch_ddot} (n-by-times, 1/s^2)
+## @item @var{field}.stretch_ddot (n-by-times, 1/s^2)
 ## its second rate
-## @item @var{slope} (n-by-times, 1)
+## @item @var{field}.slope (n-by-times, 1)
 ## v2,1
-## @item @var{slope_dot} (n-by-times, 1/s)
+## @item @var{field}.slope_dot (n-by-times, 1/s)
 ## its rate
-## @item @var{slope_ddot} (n-by-times, 1/s^2)
+## @item @var{field}.slope_ddot (n-by-times, 1/s^2)
 ## its second rate
-## @item @var{stretch_slope} (n-by-times, 1/m)
+## @item @var{field}.stretch_slope (n-by-times, 1/m)
 ## v1,11
-## @item @var{bend} (n-by-times, 1/m)
+## @item @var{field}.bend (n-by-times, 1/m)
 ## v2,11
-## @item @var{xi1} (n-by-1, m)
+## @item @var{points}.xi1 (n-by-1, m)
 ## stations of the points
-## @item @var{rhoA} (n-by-1, kg)
+## @item @var{points}.rhoA (n-by-1, kg)
 ## masses of the points
-## @item @var{rhoI} (n-by-1, kg m^2)
+## @item @var{points}.rhoI (n-by-1, kg m^2)
 ## rotary inertias there
-## @item @var{EI} (n-by-1, N m^3)
+## @item @var{points}.EI (n-by-1, N m^3)
 ## bending stiffness times length
+## @item @var{points}.force_share (n-by-1, 1)
+## 1 where the force acts, 0 elsewhere
 ## @item @var{gravity} (scalar, m/s^2)
 ## acceleration of gravity
-## @item @var{force_share} (n-by-1, 1)
-## 1 where the force acts, 0 elsewhere
-## @item @var{force_x} (1-by-times, N)
+## @item @var{loads}.force_x (1-by-times, N)
 ## horizontal force
-## @item @var{force_y} (1-by-times, N)
+## @item @var{loads}.force_y (1-by-times, N)
 ## vertical force
 ## @end table
 ##
@@ -104,13 +100,41 @@
 ## @end deftypefn
 
 function [force_v1, force_v2, force_w2, force_w4, force_stretch, force_stretch_slope, force_slope, ...
-      force_bend, force_phi] = rod_dropped_forces (phi, phi_dot, phi_ddot, x_ddot, y_ddot, v1, v1_dot, ...
-      v1_ddot, v2, v2_dot, v2_ddot, w2, w2_dot, w2_ddot, w4, w4_dot, stretch, stretch_dot, stretch_ddot, ...
-      slope, slope_dot, slope_ddot, stretch_slope, bend, xi1, rhoA, rhoI, EI, gravity, force_share, ...
-      force_x, force_y)
-  if (nargin != 32)
+      force_bend, force_phi] = rod_dropped_forces (motion, field, points, gravity, loads)
+  if (nargin != 5)
     print_usage ();
   endif
+  phi = motion.phi;
+  phi_dot = motion.phi_dot;
+  phi_ddot = motion.phi_ddot;
+  x_ddot = motion.x_ddot;
+  y_ddot = motion.y_ddot;
+  v1 = field.v1;
+  v1_dot = field.v1_dot;
+  v1_ddot = field.v1_ddot;
+  v2 = field.v2;
+  v2_dot = field.v2_dot;
+  v2_ddot = field.v2_ddot;
+  w2 = field.w2;
+  w2_dot = field.w2_dot;
+  w2_ddot = field.w2_ddot;
+  w4 = field.w4;
+  w4_dot = field.w4_dot;
+  stretch = field.stretch;
+  stretch_dot = field.stretch_dot;
+  stretch_ddot = field.stretch_ddot;
+  slope = field.slope;
+  slope_dot = field.slope_dot;
+  slope_ddot = field.slope_ddot;
+  stretch_slope = field.stretch_slope;
+  bend = field.bend;
+  xi1 = points.xi1;
+  rhoA = points.rhoA;
+  rhoI = points.rhoI;
+  EI = points.EI;
+  force_share = points.force_share;
+  force_x = loads.force_x;
+  force_y = loads.force_y;
   times = columns (phi);
   n = rows (v1);
   if (! size_equal (1, gravity) || ! size_equal (phi, phi_dot, phi_ddot, x_ddot, y_ddot, force_x, ...
@@ -118,18 +142,22 @@ function [force_v1, force_v2, force_w2, force_w4, force_stretch, force_stretch_s
       w2_ddot, w4, w4_dot, stretch, stretch_dot, stretch_ddot, slope, slope_dot, slope_ddot, ...
       stretch_slope, bend) || columns (v1) != times || ! size_equal (xi1, rhoA, rhoI, EI, force_share) || ...
       rows (xi1) != n || columns (xi1) != 1)
-    check_sizes ("rod_dropped_forces", {"phi", phi, [1, times]; "phi_dot", phi_dot, [1, times]; ...
-      "phi_ddot", phi_ddot, [1, times]; "x_ddot", x_ddot, [1, times]; "y_ddot", y_ddot, [1, times]; ...
-      "v1", v1, [n, times]; "v1_dot", v1_dot, [n, times]; "v1_ddot", v1_ddot, [n, times]; ...
-      "v2", v2, [n, times]; "v2_dot", v2_dot, [n, times]; "v2_ddot", v2_ddot, [n, times]; ...
-      "w2", w2, [n, times]; "w2_dot", w2_dot, [n, times]; "w2_ddot", w2_ddot, [n, times]; ...
-      "w4", w4, [n, times]; "w4_dot", w4_dot, [n, times]; "stretch", stretch, [n, times]; ...
-      "stretch_dot", stretch_dot, [n, times]; "stretch_ddot", stretch_ddot, [n, times]; ...
-      "slope", slope, [n, times]; "slope_dot", slope_dot, [n, times]; ...
-      "slope_ddot", slope_ddot, [n, times]; "stretch_slope", stretch_slope, [n, times]; ...
-      "bend", bend, [n, times]; "xi1", xi1, [n, 1]; "rhoA", rhoA, [n, 1]; "rhoI", rhoI, [n, 1]; ...
-      "EI", EI, [n, 1]; "gravity", gravity, [1, 1]; "force_share", force_share, [n, 1]; ...
-      "force_x", force_x, [1, times]; "force_y", force_y, [1, times]});
+    check_sizes ("rod_dropped_forces", {"motion.phi", phi, [1, times]; ...
+      "motion.phi_dot", phi_dot, [1, times]; "motion.phi_ddot", phi_ddot, [1, times]; ...
+      "motion.x_ddot", x_ddot, [1, times]; "motion.y_ddot", y_ddot, [1, times]; ...
+      "field.v1", v1, [n, times]; "field.v1_dot", v1_dot, [n, times]; ...
+      "field.v1_ddot", v1_ddot, [n, times]; "field.v2", v2, [n, times]; ...
+      "field.v2_dot", v2_dot, [n, times]; "field.v2_ddot", v2_ddot, [n, times]; ...
+      "field.w2", w2, [n, times]; "field.w2_dot", w2_dot, [n, times]; ...
+      "field.w2_ddot", w2_ddot, [n, times]; "field.w4", w4, [n, times]; ...
+      "field.w4_dot", w4_dot, [n, times]; "field.stretch", stretch, [n, times]; ...
+      "field.stretch_dot", stretch_dot, [n, times]; "field.stretch_ddot", stretch_ddot, [n, times]; ...
+      "field.slope", slope, [n, times]; "field.slope_dot", slope_dot, [n, times]; ...
+      "field.slope_ddot", slope_ddot, [n, times]; "field.stretch_slope", stretch_slope, [n, times]; ...
+      "field.bend", bend, [n, times]; "points.xi1", xi1, [n, 1]; "points.rhoA", rhoA, [n, 1]; ...
+      "points.rhoI", rhoI, [n, 1]; "points.EI", EI, [n, 1]; "points.force_share", force_share, [n, 1]; ...
+      "gravity", gravity, [1, 1]; "loads.force_x", force_x, [1, times]; ...
+      "loads.force_y", force_y, [1, times]});
   endif
   v_1 = phi_dot.^2;
   v_2 = cos(phi);
@@ -148,8 +176,8 @@ function [force_v1, force_v2, force_w2, force_w4, force_stretch, force_stretch_s
   force_slope = rhoI.*(slope.*stretch_ddot + v_7 - v_6.*slope_ddot - v_6.*phi_ddot/2) + ...
       EI.*(bend.*stretch_slope - v_4.*slope);
   force_bend = EI.*(slope.*stretch_slope + 2*bend.*stretch - v_6.*bend);
-  force_phi = rhoI.*(v_7 - v_6.*slope_ddot/2) + rhoA.*(v2_ddot.*w2 + 2*phi_dot.*w4_dot.*xi1 + ...
-      2*phi_dot.*v1_dot.*w2 + 2*phi_dot.*v1.*w2_dot + 2*phi_ddot.*w4.*xi1 + 2*phi_ddot.*v1.*w2 + ...
-      v_2.*w4.*y_ddot + v_2*gravity.*w4 - v2.*w2_ddot - 2*phi_dot.*w2.*w2_dot - phi_ddot.*w2.^2 - ...
-      v_3.*w4.*x_ddot) + force_share.*(v_3.*force_x.*w4 - v_2.*force_y.*w4);
+  force_phi = rhoI.*(v_7 - v_6.*slope_ddot/2) + rhoA.*(v2_ddot.*w2 + 2*phi_dot.*xi1.*w4_dot + ...
+      2*phi_dot.*v1_dot.*w2 + 2*phi_dot.*v1.*w2_dot + 2*phi_ddot.*xi1.*w4 + 2*phi_ddot.*v1.*w2 + ...
+      v_2.*y_ddot.*w4 + v_2*gravity.*w4 - v2.*w2_ddot - 2*phi_dot.*w2.*w2_dot - phi_ddot.*w2.^2 - ...
+      v_3.*x_ddot.*w4) + force_share.*(v_3.*force_x.*w4 - v_2.*force_y.*w4);
 endfunction

@@ -3,46 +3,44 @@
 ## @c Equation (11), (21), (27); 51 additions, 78 multiplications, 4 divisions, 4 powers, 6 calls.
 ## @deftypefn {} {[@var{x_m}, @var{y_m}, @var{angle}, @var{x_m_dot}, @var{y_m_dot}, @var{angle_dot}, @
 ##   @var{x_convection}, @var{y_convection}, @var{angle_convection}, @var{x_phi}, @var{y_phi}, @var{x_V}, @
-##   @var{y_V}, @var{angle_V}] =} rod_marker (@var{phi}, @var{phi_dot}, @var{V}, @var{V_dot}, @var{x_dot}, @
-##   @var{y_dot}, @var{x}, @var{y}, @var{place_1}, @var{place_2}, @var{direction}, @var{shape_1}, @
-##   @var{shape_2}, @var{slope_1}, @var{slope_2}, @var{shortening_matrix})
+##   @var{y_V}, @var{angle_V}] =} rod_marker (@var{motion}, @var{marker})
 ## A point of a free rod with the tangent there: position, angle, rates and derivatives.
 ##
 ## Equation (11), (21), (27).
 ##
 ## Arguments:
 ## @table @asis
-## @item @var{phi} (1-by-times, rad)
+## @item @var{motion}.phi (1-by-times, rad)
 ## rotation of the rod's frame x
-## @item @var{phi_dot} (1-by-times, rad/s)
+## @item @var{motion}.phi_dot (1-by-times, rad/s)
 ## its rate
-## @item @var{V} (n-by-times, m)
+## @item @var{motion}.V (n-by-times, m)
 ## amplitudes of the modes
-## @item @var{V_dot} (n-by-times, m/s)
+## @item @var{motion}.V_dot (n-by-times, m/s)
 ## their rates
-## @item @var{x_dot} (1-by-times, m/s)
+## @item @var{motion}.x_dot (1-by-times, m/s)
 ## horizontal velocity of the frame's origin
-## @item @var{y_dot} (1-by-times, m/s)
+## @item @var{motion}.y_dot (1-by-times, m/s)
 ## vertical velocity of it
-## @item @var{x} (1-by-times, m)
+## @item @var{motion}.x (1-by-times, m)
 ## horizontal position of the frame's origin
-## @item @var{y} (1-by-times, m)
+## @item @var{motion}.y (1-by-times, m)
 ## height of it
-## @item @var{place_1} (scalar, m)
+## @item @var{marker}.place_1 (scalar, m)
 ## where the marker is in the undeformed rod's frame
-## @item @var{place_2} (scalar, m)
+## @item @var{marker}.place_2 (scalar, m)
 ## likewise
-## @item @var{direction} (scalar, rad)
+## @item @var{marker}.direction (scalar, rad)
 ## angle of the undeformed tangent there against the frame's x
-## @item @var{shape_1} (n-by-1, 1)
+## @item @var{marker}.shape_1 (n-by-1, 1)
 ## longitudinal base functions there
-## @item @var{shape_2} (n-by-1, 1)
+## @item @var{marker}.shape_2 (n-by-1, 1)
 ## transversal base functions there
-## @item @var{slope_1} (n-by-1, 1/m)
+## @item @var{marker}.slope_1 (n-by-1, 1/m)
 ## stretching there by the base functions
-## @item @var{slope_2} (n-by-1, 1/m)
+## @item @var{marker}.slope_2 (n-by-1, 1/m)
 ## turning of the tangent there by the base functions
-## @item @var{shortening_matrix} (n-by-n, 1/m)
+## @item @var{marker}.shortening_matrix (n-by-n, 1/m)
 ## foreshortening there, per amplitudes
 ## @end table
 ##
@@ -80,23 +78,39 @@
 ## @end deftypefn
 
 function [x_m, y_m, angle, x_m_dot, y_m_dot, angle_dot, x_convection, y_convection, angle_convection, ...
-      x_phi, y_phi, x_V, y_V, angle_V] = rod_marker (phi, phi_dot, V, V_dot, x_dot, y_dot, x, y, place_1, ...
-      place_2, direction, shape_1, shape_2, slope_1, slope_2, shortening_matrix)
-  if (nargin != 16)
+      x_phi, y_phi, x_V, y_V, angle_V] = rod_marker (motion, marker)
+  if (nargin != 2)
     print_usage ();
   endif
+  phi = motion.phi;
+  phi_dot = motion.phi_dot;
+  V = motion.V;
+  V_dot = motion.V_dot;
+  x_dot = motion.x_dot;
+  y_dot = motion.y_dot;
+  x = motion.x;
+  y = motion.y;
+  place_1 = marker.place_1;
+  place_2 = marker.place_2;
+  direction = marker.direction;
+  shape_1 = marker.shape_1;
+  shape_2 = marker.shape_2;
+  slope_1 = marker.slope_1;
+  slope_2 = marker.slope_2;
+  shortening_matrix = marker.shortening_matrix;
   times = columns (phi);
   n = rows (V);
   if (! size_equal (1, place_1, place_2, direction) || ! size_equal (phi, phi_dot, x_dot, y_dot, x, y) || ...
       rows (phi) != 1 || ! size_equal (V, V_dot) || columns (V) != times || ! size_equal (shape_1, ...
       shape_2, slope_1, slope_2) || rows (shape_1) != n || columns (shape_1) != 1 || ...
       rows (shortening_matrix) != n || columns (shortening_matrix) != n)
-    check_sizes ("rod_marker", {"phi", phi, [1, times]; "phi_dot", phi_dot, [1, times]; ...
-      "V", V, [n, times]; "V_dot", V_dot, [n, times]; "x_dot", x_dot, [1, times]; ...
-      "y_dot", y_dot, [1, times]; "x", x, [1, times]; "y", y, [1, times]; "place_1", place_1, [1, 1]; ...
-      "place_2", place_2, [1, 1]; "direction", direction, [1, 1]; "shape_1", shape_1, [n, 1]; ...
-      "shape_2", shape_2, [n, 1]; "slope_1", slope_1, [n, 1]; "slope_2", slope_2, [n, 1]; ...
-      "shortening_matrix", shortening_matrix, [n, n]});
+    check_sizes ("rod_marker", {"motion.phi", phi, [1, times]; "motion.phi_dot", phi_dot, [1, times]; ...
+      "motion.V", V, [n, times]; "motion.V_dot", V_dot, [n, times]; "motion.x_dot", x_dot, [1, times]; ...
+      "motion.y_dot", y_dot, [1, times]; "motion.x", x, [1, times]; "motion.y", y, [1, times]; ...
+      "marker.place_1", place_1, [1, 1]; "marker.place_2", place_2, [1, 1]; ...
+      "marker.direction", direction, [1, 1]; "marker.shape_1", shape_1, [n, 1]; ...
+      "marker.shape_2", shape_2, [n, 1]; "marker.slope_1", slope_1, [n, 1]; ...
+      "marker.slope_2", slope_2, [n, 1]; "marker.shortening_matrix", shortening_matrix, [n, n]});
   endif
   v_1 = cos(phi);
   v_2 = shortening_matrix*V;

@@ -31,5 +31,5 @@ function value = rod_slope_transversal (j, xi1, length)
     check_sizes ("rod_slope_transversal", {"j", j, []; "xi1", xi1, []; "length", length, [1, 1]});
   endif
   value = merge(j > 0, pi*cos(pi*j.*xi1/length).*j/length, (9*xi1.^2 + 3*length^2 + 6*j.*xi1.^2 + ...
-      j*length^2 - 12*length*xi1 - 6*j*length.*xi1)/length^3);
+      j*length^2 - 12*length*xi1 - 6*length*j.*xi1)/length^3);
 endfunction

@@ -59,10 +59,10 @@ function [alpha1_11, alpha2_11] = surface_bumps_geodesic (alpha1, alpha2, alpha1
   v_12 = wave_number_2^2;
   v_13 = sin(v_6);
   v_14 = v_13.^2;
-  v_15 = 1./(v_11*v_12.*v_14*v_2 + v_10*v_2.*v_8*v_9 + 1);
+  v_15 = 1./(v_11*v_12*v_2.*v_14 + v_10*v_2*v_9.*v_8 + 1);
   v_16 = alpha2_1.^2;
-  alpha1_11 = 2*v_10.*v_13.*v_15*v_2.*v_7*v_9.*alpha1_1.*alpha2_1*wave_number_2 - ...
-      v_12*v_15.*v_16*v_2.*v_4.*v_5.*v_8*wave_number_1 - v_1.*v_15*v_2.*v_4.*v_5.*v_8*wave_number_1^3;
-  alpha2_11 = 2*v_12*v_14.*v_15*v_2.*v_4.*v_5.*alpha1_1.*alpha2_1*wave_number_1 - ...
-      v_11.*v_13.*v_15.*v_16*v_2.*v_7*wave_number_2^3 - v_1.*v_11.*v_13.*v_15*v_2.*v_7*v_9*wave_number_2;
+  alpha1_11 = 2*v_2*v_9*wave_number_2*v_10.*v_13.*v_15.*v_7.*alpha1_1.*alpha2_1 - ...
+      v_12*v_2*wave_number_1*v_15.*v_16.*v_4.*v_5.*v_8 - v_2*wave_number_1^3*v_1.*v_15.*v_4.*v_5.*v_8;
+  alpha2_11 = 2*v_12*v_2*wave_number_1*v_14.*v_15.*v_4.*v_5.*alpha1_1.*alpha2_1 - ...
+      v_2*wave_number_2^3*v_11.*v_13.*v_15.*v_16.*v_7 - v_2*v_9*wave_number_2*v_1.*v_11.*v_13.*v_15.*v_7;
 endfunction

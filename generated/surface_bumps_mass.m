@@ -51,7 +51,7 @@ function [mass_11, mass_12, mass_22] = surface_bumps_mass (alpha1, alpha2, rhoA,
   v_5 = cos(v_4);
   v_6 = cos(v_2);
   v_7 = sin(v_4);
-  mass_11 = rhoA*(v_1*v_3.^2.*v_5.^2*wave_number_1^2 + 1);
-  mass_12 = v_1*v_3.*v_5.*v_6.*v_7*rhoA*wave_number_1*wave_number_2;
-  mass_22 = rhoA*(v_1*v_6.^2.*v_7.^2*wave_number_2^2 + 1);
+  mass_11 = rhoA*(v_1*wave_number_1^2*v_3.^2.*v_5.^2 + 1);
+  mass_12 = v_1*rhoA*wave_number_1*wave_number_2*v_3.*v_5.*v_6.*v_7;
+  mass_22 = rhoA*(v_1*wave_number_2^2*v_6.^2.*v_7.^2 + 1);
 endfunction

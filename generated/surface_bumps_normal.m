@@ -52,10 +52,10 @@ function [n_1, n_2, n_3, determinant] = surface_bumps_normal (alpha1, alpha2, he
   v_5 = height^2;
   v_6 = cos(v_1);
   v_7 = sin(v_3);
-  v_8 = v_5*v_6.^2.*v_7.^2*wave_number_2^2 + v_2.^2.*v_4.^2*v_5*wave_number_1^2 + 1;
+  v_8 = v_5*wave_number_2^2*v_6.^2.*v_7.^2 + v_5*wave_number_1^2*v_2.^2.*v_4.^2 + 1;
   v_9 = 1./sqrt(v_8);
-  n_1 = -v_2.*v_4.*v_9*height*wave_number_1;
-  n_2 = -v_6.*v_7.*v_9*height*wave_number_2;
+  n_1 = -v_2*height*wave_number_1.*v_4.*v_9;
+  n_2 = -v_6*height*wave_number_2.*v_7.*v_9;
   n_3 = v_9;
   determinant = v_8;
 endfunction

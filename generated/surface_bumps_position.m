@@ -43,5 +43,5 @@ function [r_1, r_2, r_3] = surface_bumps_position (alpha1, alpha2, height, wave_
   endif
   r_1 = alpha1 + zeros(size(alpha2));
   r_2 = alpha2 + zeros(size(alpha1));
-  r_3 = -cos(alpha1*wave_number_1).*cos(alpha2*wave_number_2)*height;
+  r_3 = -cos(alpha1*wave_number_1)*height.*cos(alpha2*wave_number_2);
 endfunction

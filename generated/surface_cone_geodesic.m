@@ -38,6 +38,6 @@ function [alpha1_11, alpha2_11] = surface_cone_geodesic (alpha1, alpha2, alpha1_
     check_sizes ("surface_cone_geodesic", {"alpha1", alpha1, []; "alpha2", alpha2, []; ...
       "alpha1_1", alpha1_1, []; "alpha2_1", alpha2_1, []; "half_angle", half_angle, [1, 1]});
   endif
-  alpha1_11 = alpha1.*alpha2_1.^2*sin(half_angle)^2 + zeros(size(alpha2 + alpha1_1));
+  alpha1_11 = sin(half_angle)^2*alpha1.*alpha2_1.^2 + zeros(size(alpha2 + alpha1_1));
   alpha2_11 = -2*alpha1_1.*alpha2_1./alpha1 + zeros(size(alpha2));
 endfunction

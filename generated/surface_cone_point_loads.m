@@ -59,12 +59,12 @@ function [load_1, load_2, load_3, load_4] = surface_cone_point_loads (alpha1, al
   v_3 = alpha2_1.^2;
   v_4 = sin(half_angle);
   v_5 = v_4^2;
-  v_6 = 1./(v_2.*v_3*v_5 + v_1);
+  v_6 = 1./(v_5*v_2.*v_3 + v_1);
   v_7 = cos(half_angle);
   v_8 = cos(alpha2);
   v_9 = sin(alpha2);
   v_10 = v_4^3;
-  load_1 = v_6.*(v_4*alpha1_1.*alpha2_1.*moment + v_2.*v_3*v_5*v_7.*force_3 + ...
+  load_1 = v_6.*(v_4*alpha1_1.*alpha2_1.*moment + v_5*v_7*v_2.*v_3.*force_3 + ...
       v_10*v_2.*v_3.*v_9.*force_2 + v_10*v_2.*v_3.*v_8.*force_1 + v_1*v_7.*force_3 + ...
       v_1*v_4.*v_9.*force_2 + v_1*v_4.*v_8.*force_1);
   load_2 = v_4*(moment + v_8.*alpha1.*force_2 - v_9.*alpha1.*force_1) + ...

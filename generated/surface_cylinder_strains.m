@@ -56,6 +56,6 @@ function [axial_strain, geodesic_bending, normal_bending, twist] = surface_cylin
   v_5 = 1/radius;
   axial_strain = (v_2 + v_1 - 1)/2 + zeros(size(alpha1 + alpha2 + alpha1_11 + alpha2_11));
   geodesic_bending = (alpha1_1.*alpha2_11 - alpha1_11.*alpha2_1)./v_3 + zeros(size(alpha1 + alpha2));
-  normal_bending = v_2.*v_4*v_5 + zeros(size(alpha1 + alpha2 + alpha1_11 + alpha2_11));
+  normal_bending = v_5*v_2.*v_4 + zeros(size(alpha1 + alpha2 + alpha1_11 + alpha2_11));
   twist = v_4*v_5.*alpha1_1.*alpha2_1 + zeros(size(alpha1 + alpha2 + alpha1_11 + alpha2_11));
 endfunction

@@ -45,6 +45,6 @@ function [alpha1_11, alpha2_11] = surface_saddle_geodesic (alpha1, alpha2, alpha
   v_3 = rise^2;
   v_4 = 1./(v_3*alpha1.^2 + v_2*alpha2.^2 + 1);
   v_5 = alpha1_1.^2;
-  alpha1_11 = v_1.*v_4.*alpha1*fall*rise - v_3*v_4.*v_5.*alpha1;
-  alpha2_11 = v_4.*v_5.*alpha2*fall*rise - v_1*v_2.*v_4.*alpha2;
+  alpha1_11 = fall*rise*v_1.*v_4.*alpha1 - v_3*v_4.*v_5.*alpha1;
+  alpha2_11 = fall*rise*v_4.*v_5.*alpha2 - v_1*v_2.*v_4.*alpha2;
 endfunction

@@ -41,6 +41,6 @@ function [mass_11, mass_12, mass_22] = surface_saddle_mass (alpha1, alpha2, rhoA
       "rhoA", rhoA, [1, 1]; "rise", rise, [1, 1]; "fall", fall, [1, 1]});
   endif
   mass_11 = rhoA*(alpha1.^2*rise^2 + 1) + zeros(size(alpha2));
-  mass_12 = -alpha1.*alpha2*fall*rhoA*rise;
+  mass_12 = -alpha1*fall*rhoA*rise.*alpha2;
   mass_22 = rhoA*(alpha2.^2*fall^2 + 1) + zeros(size(alpha1));
 endfunction

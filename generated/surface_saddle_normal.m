@@ -42,8 +42,8 @@ function [n_1, n_2, n_3, determinant] = surface_saddle_normal (alpha1, alpha2, r
   endif
   v_1 = alpha2.^2*fall^2 + alpha1.^2*rise^2 + 1;
   v_2 = 1./sqrt(v_1);
-  n_1 = -v_2.*alpha1*rise;
-  n_2 = v_2.*alpha2*fall;
+  n_1 = -v_2*rise.*alpha1;
+  n_2 = fall*v_2.*alpha2;
   n_3 = v_2;
   determinant = v_1;
 endfunction

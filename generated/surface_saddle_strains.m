@@ -57,7 +57,7 @@ function [axial_strain, geodesic_bending, normal_bending, twist] = surface_saddl
   v_3 = v_2*alpha2.^2;
   v_4 = v_3 + 1;
   v_5 = v_1.*v_4;
-  v_6 = -2*alpha1.*alpha1_1.*alpha2.*alpha2_1*fall*rise;
+  v_6 = -2*fall*rise*alpha1.*alpha1_1.*alpha2.*alpha2_1;
   v_7 = alpha1_1.^2;
   v_8 = rise^2;
   v_9 = v_8*alpha1.^2;
@@ -70,10 +70,10 @@ function [axial_strain, geodesic_bending, normal_bending, twist] = surface_saddl
   v_16 = 1./sqrt(v_14);
   v_17 = 1./v_13;
   axial_strain = (v_6 + v_5 + v_11 - 1)/2 + zeros(size(alpha1_11 + alpha2_11));
-  geodesic_bending = v_13.*(alpha1_1.*(alpha2_11 + v_1.*v_15*v_2.*alpha2 - v_15.*v_7.*alpha2*fall*rise) - ...
-      alpha2_1.*(alpha1_11 + v_15.*v_7*v_8.*alpha1 - v_1.*v_15.*alpha1*fall*rise))./v_14;
-  normal_bending = v_16.*(v_17.*v_7*rise - v_1.*v_17*fall) + zeros(size(alpha1_11 + alpha2_11));
-  twist = v_16.*v_17.*(-v_17.*alpha2_1*fall.*(v_10.*alpha1_1 - alpha1.*alpha2.*alpha2_1*fall*rise) - ...
-      v_17.*alpha1_1*rise.*(v_4.*alpha2_1 - alpha1.*alpha1_1.*alpha2*fall*rise)) + ...
+  geodesic_bending = v_13.*(alpha1_1.*(alpha2_11 + v_2*v_1.*v_15.*alpha2 - fall*rise*v_15.*v_7.*alpha2) - ...
+      alpha2_1.*(alpha1_11 + v_8*v_15.*v_7.*alpha1 - fall*rise*v_1.*v_15.*alpha1))./v_14;
+  normal_bending = v_16.*(rise*v_17.*v_7 - fall*v_1.*v_17) + zeros(size(alpha1_11 + alpha2_11));
+  twist = v_16.*v_17.*(-v_17*fall.*alpha2_1.*(v_10.*alpha1_1 - fall*rise*alpha1.*alpha2.*alpha2_1) - ...
+      rise*v_17.*alpha1_1.*(v_4.*alpha2_1 - fall*rise*alpha1.*alpha1_1.*alpha2)) + ...
       zeros(size(alpha1_11 + alpha2_11));
 endfunction

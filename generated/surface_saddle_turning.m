@@ -54,10 +54,10 @@ function [turning_1, turning_2, turning_3, turning_4] = surface_saddle_turning (
   v_6 = sqrt(v_5);
   v_7 = alpha2_1.^2;
   v_8 = alpha1_1.^2;
-  v_9 = 1./(v_8.*(v_4 + 1) + v_7.*(v_2 + 1) - 2*alpha1.*alpha1_1.*alpha2.*alpha2_1*fall*rise);
+  v_9 = 1./(v_8.*(v_4 + 1) + v_7.*(v_2 + 1) - 2*fall*rise*alpha1.*alpha1_1.*alpha2.*alpha2_1);
   v_10 = 1./v_5;
-  turning_1 = v_6.*v_9.*(-v_10.*v_8.*alpha2*fall*rise - v_10*v_3.*alpha1.*alpha1_1.*alpha2_1);
-  turning_2 = v_6.*v_9.*(v_10.*v_7.*alpha1*fall*rise + v_1*v_10.*alpha1_1.*alpha2.*alpha2_1);
+  turning_1 = v_6.*v_9.*(-v_10*fall*rise.*v_8.*alpha2 - v_10*v_3.*alpha1.*alpha1_1.*alpha2_1);
+  turning_2 = v_6.*v_9.*(fall*rise*v_10.*v_7.*alpha1 + v_1*v_10.*alpha1_1.*alpha2.*alpha2_1);
   turning_3 = -v_6.*v_9.*alpha2_1;
   turning_4 = v_6.*v_9.*alpha1_1;
 endfunction

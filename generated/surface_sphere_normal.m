@@ -43,8 +43,8 @@ function [n_1, n_2, n_3, determinant] = surface_sphere_normal (alpha1, alpha2, r
   v_3 = 4*radius^2;
   v_4 = v_3 + v_2 + v_1;
   v_5 = 1./v_4;
-  n_1 = -4*v_5.*alpha1*radius;
-  n_2 = -4*v_5.*alpha2*radius;
+  n_1 = -4*radius*v_5.*alpha1;
+  n_2 = -4*radius*v_5.*alpha2;
   n_3 = v_5.*(v_3 - v_2 - v_1);
   determinant = 256*radius^8./v_4.^4;
 endfunction

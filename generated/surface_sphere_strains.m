@@ -53,7 +53,7 @@ function [axial_strain, geodesic_bending, normal_bending, twist] = surface_spher
   v_2 = radius^4;
   v_3 = 4*radius^2 + alpha2.^2 + alpha1.^2;
   v_4 = 1./v_3.^2;
-  v_5 = 16*v_1*v_2.*v_4;
+  v_5 = 16*v_2*v_1.*v_4;
   v_6 = alpha2_1.^2;
   v_7 = 16*v_2*v_4.*v_6;
   v_8 = v_7 + v_5;
@@ -63,6 +63,6 @@ function [axial_strain, geodesic_bending, normal_bending, twist] = surface_spher
   geodesic_bending = 16*v_2*v_4.*(alpha1_1.*(alpha2_11 + 2*v_1.*v_9.*alpha2 - ...
       4*v_9.*alpha1.*alpha1_1.*alpha2_1 - 2*v_6.*v_9.*alpha2) - alpha2_1.*(alpha1_11 + ...
       2*v_6.*v_9.*alpha1 - 4*v_9.*alpha1_1.*alpha2.*alpha2_1 - 2*v_1.*v_9.*alpha1))./v_8;
-  normal_bending = (16*v_10*v_4.*v_6 + 16*v_1*v_10.*v_4)./sqrt(v_8) + zeros(size(alpha1_11 + alpha2_11));
+  normal_bending = (16*v_10*v_4.*v_6 + 16*v_10*v_1.*v_4)./sqrt(v_8) + zeros(size(alpha1_11 + alpha2_11));
   twist = 0 + zeros(size(alpha1 + alpha2 + alpha1_1 + alpha2_1 + alpha1_11 + alpha2_11));
 endfunction

@@ -44,6 +44,6 @@ function [alpha1_11, alpha2_11] = surface_torus_geodesic (alpha1, alpha2, alpha1
   endif
   v_1 = sin(alpha2);
   v_2 = cos(alpha2)*tube_radius + core_radius;
-  alpha1_11 = 2*v_1.*alpha1_1.*alpha2_1*tube_radius./v_2 + zeros(size(alpha1));
+  alpha1_11 = 2*tube_radius*v_1.*alpha1_1.*alpha2_1./v_2 + zeros(size(alpha1));
   alpha2_11 = -v_1.*v_2.*alpha1_1.^2/tube_radius + zeros(size(alpha1 + alpha2_1));
 endfunction

@@ -68,8 +68,8 @@ function [axial_strain, geodesic_bending, normal_bending, twist] = surface_torus
   v_13 = 1./sqrt(v_12);
   axial_strain = (v_8 + v_3 - 1)/2 + zeros(size(alpha1 + alpha1_11 + alpha2_11));
   geodesic_bending = v_6*tube_radius.*(alpha1_1.*(alpha2_11 + v_10*v_4.*v_6.*v_9) - ...
-      alpha2_1.*(alpha1_11 - 2*v_11.*v_9.*alpha1_1.*alpha2_1*tube_radius))./v_12 + zeros(size(alpha1));
+      alpha2_1.*(alpha1_11 - 2*tube_radius*v_11.*v_9.*alpha1_1.*alpha2_1))./v_12 + zeros(size(alpha1));
   normal_bending = v_13.*(-v_4.*v_5.*v_6 - v_1*tube_radius) + zeros(size(alpha1 + alpha1_11 + alpha2_11));
-  twist = v_10*v_11.*v_13.*(v_2*v_5.*v_6.*alpha1_1.*alpha2_1 - v_7.*alpha1_1.*alpha2_1*tube_radius) + ...
+  twist = v_10*v_11.*v_13.*(v_2*v_5.*v_6.*alpha1_1.*alpha2_1 - tube_radius*v_7.*alpha1_1.*alpha2_1) + ...
       zeros(size(alpha1 + alpha1_11 + alpha2_11));
 endfunction

@@ -53,9 +53,9 @@ function [turning_1, turning_2, turning_3, turning_4] = surface_torus_turning (a
   v_4 = alpha2_1.^2;
   v_5 = tube_radius^2;
   v_6 = 1./(v_4*v_5 + v_1.^2.*v_2);
-  turning_1 = v_1.*v_6*tube_radius.*(v_3.*v_4*tube_radius./v_1 + v_1.*v_2.*v_3/tube_radius) + ...
+  turning_1 = tube_radius*v_1.*v_6.*(tube_radius*v_3.*v_4./v_1 + v_1.*v_2.*v_3/tube_radius) + ...
       zeros(size(alpha1));
   turning_2 = v_3*v_5.*v_6.*alpha1_1.*alpha2_1 + zeros(size(alpha1));
-  turning_3 = -v_1.*v_6.*alpha2_1*tube_radius + zeros(size(alpha1));
-  turning_4 = v_1.*v_6.*alpha1_1*tube_radius + zeros(size(alpha1));
+  turning_3 = -v_1*tube_radius.*v_6.*alpha2_1 + zeros(size(alpha1));
+  turning_4 = tube_radius*v_1.*v_6.*alpha1_1 + zeros(size(alpha1));
 endfunction

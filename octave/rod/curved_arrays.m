@@ -8,29 +8,17 @@
 function arrays = curved_arrays (base, axis, section, rod)
   f = curved_functions (base, axis, axis.xi);
   n = columns (f.e);
-  p = numel (axis.xi);
   w = axis.weights(:);
-  column = @(row) row(:)*ones (1, n);
-  theta = column (axis.theta);
-  kappa = column (axis.kappa);
-  x = column (axis.x);
-  y = column (axis.y);
-  [c, d, s, r] = curved_rod_modes (f.u_1, f.u_2, f.e, f.chi, x, y, theta, kappa, section.rhoA, section.rhoI);
-  [J, S_1, S_2] = curved_rod_constants (axis.x, axis.y, axis.theta, axis.kappa, section.rhoA, section.rhoI);
-  of = @(g, order) reshape (g(:,order), p, []);
+  [c, d, s, r] = curved_rod_modes (in_pairs (f, 1:n, "j"), repeated (axis, n), section);
+  [J, S_1, S_2] = curved_rod_constants (axis, section);
   [k, j] = meshgrid (1:n, 1:n);
-  at = @(g) {of(g, j), of(g, k)};
-  pair = cellfun (at, {f.u_1, f.u_2, f.e, f.chi}, "uniformoutput", false);
-  pair = vertcat (pair{:});
-  every = ones (1, n*n);
-  [M, G] = curved_rod_pairs (pair{:,1}, pair{:,2}, axis.theta(:)*every, axis.kappa(:)*every, ...
-                             section.rhoA, section.rhoI);
-  strain = cellfun (at, {f.e, f.e_slope, f.bend}, "uniformoutput", false);
-  strain = vertcat (strain{:});
+  row = in_pairs (f, j, "j");
+  column = in_pairs (f, k, "k");
+  [M, G] = curved_rod_pairs (row, column, repeated (axis, n*n), section);
   if (isempty (rod))
-    K = curved_rod_stiffness_uniaxial (strain{:,1}, strain{:,2}, section.EA, section.EI);
+    K = curved_rod_stiffness_uniaxial (row, column, section);
   else
-    K = curved_rod_stiffness_paper (strain{:,1}, strain{:,2}, rod.width, rod.half_height, rod.lambda, rod.mu);
+    K = curved_rod_stiffness_paper (row, column, rod);
   endif
   matrix = @(density) reshape (w.'*density, n, n);
   vector = @(density) (w.'*density).';
@@ -41,6 +29,20 @@ function arrays = curved_arrays (base, axis, section, rod)
                    "coupling_vector", vector (c), "centrifugal_vector", vector (d), "moment_of_inertia", J*w, ...
                    "stiffness_matrix", symmetric (matrix (K)), "static_moment", S_1*w, ...
                    "first_moment_1", vector (s), "first_moment_2", vector (r), "shortened_moment_matrix", zeros (n));
+endfunction
+
+## the base functions in this order (columns), u_1 as u_1_j for one
+function part = in_pairs (f, order, name)
+  for [value, key] = f
+    part.([key "_" name]) = value(:,order(:));
+  endfor
+endfunction
+
+## the axis at its points, a column for each of n columns of base functions
+function points = repeated (axis, n)
+  for name = {"x", "y", "theta", "kappa"}
+    points.(name{1}) = axis.(name{1})(:)*ones (1, n);
+  endfor
 endfunction
 
 %!test # without curvature they are the straight rod's closed forms

@@ -31,5 +31,5 @@ endfunction
 %! rod = struct ("length", 2, "curvature", 1, "curvature_breaks", [], "EA", 1, "EI", 1);
 %! section = struct ("rhoA", 3, "rhoI", 0.2, "EA", 1, "EI", 1);
 %! a = curved_base (base_functions ([], 1, 2), rod, section, "uniaxial").axis;
-%! [~, ~, S_2] = curved_rod_constants (a.x, a.y, a.theta, a.kappa, 3, 0.2);
+%! [~, ~, S_2] = curved_rod_constants (a, section);
 %! assert (S_2*a.weights.', 0, 1e-12);

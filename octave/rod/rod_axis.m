@@ -24,7 +24,8 @@ function axis = rod_axis (rod, panels, section = struct ("rhoA", 1, "rhoI", 0))
   [cosine, sine] = curved_rod_slopes (axis.theta, 0*axis.theta, 0*axis.theta);
   x = cosine*integral.';
   y = sine*integral.';
-  [~, S_1, S_2] = curved_rod_constants (x, y, axis.theta, axis.kappa, section.rhoA, section.rhoI);
+  [axis.x, axis.y] = deal (x, y);
+  [~, S_1, S_2] = curved_rod_constants (axis, section);
   axis.tilt = -atan2 (S_2*axis.weights.', S_1*axis.weights.');
   axis.theta += axis.tilt;
   [axis.x, axis.y] = rod_centreline (axis.tilt*ones (size (x)), x, 0*x, y);

@@ -31,8 +31,7 @@ endfunction
 %!  scene = check_scene (struct ("rod", rod, "duration", 1, "gravity", 0));
 %!  rung = struct ("sines", [], "bending", 30, "longitudinal", 0, "axial", "none", "stiffening", stiffening);
 %!  a = build_model (scene, rung).arrays;
-%!  stiffness = rod_tangent_stiffness (0, spin, a.centrifugal_matrix, a.stiffness_matrix, 0, a.static_moment, ...
-%!                                     a.first_moment_1, a.first_moment_2, a.shortened_moment_matrix);
+%!  stiffness = rod_tangent_stiffness (struct ("phi", 0, "phi_dot", spin), a, 0);
 %!  mass = a.mass_matrix - a.coupling_vector*a.coupling_vector.'/a.moment_of_inertia;
 %!  omega = sort (sqrt (eig (stiffness, mass)))(1:n);
 %!endfunction

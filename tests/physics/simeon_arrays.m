@@ -25,15 +25,15 @@ function [mechanism, along] = simeon_arrays (mechanism, has)
                    "centrifugal_vector", rho*l*b*l*[1/3; 1/6; 0; 0], ...
                    "first_moment_1", rho*b*l*[2/3; 1/6; 0; 0], "first_moment_2", rho*b*l*[0; 0; 2/PI; 0], ...
                    "shortened_moment_matrix", zeros (4), "moment_of_inertia", J_2, ...
-                   "static_moment", 0.151104*l/2, "mass", 0.151104);
+                   "static_moment", 0.151104*l/2, "mass", 0.151104, "damping", 0);
   arrays = with_block (arrays, l, 0.075552);
   rod = mechanism.place(2,1);
   mechanism.groups(rod).model.arrays = mechanism.models{2}.arrays = arrays;
-  mechanism.groups(rod).arguments = free_rod_arguments (mechanism.groups(rod).model, 0);
   for k = 1:numel (mechanism.markers)
     if (mechanism.markers(k).group == rod)
-      at_tip = mechanism.markers(k).arguments{1} > 0;
-      mechanism.markers(k).arguments(4:5) = {[0; at_tip; 0; 0], zeros(4, 1)};  # base functions there
+      at_tip = mechanism.markers(k).marker.place_1 > 0;
+      mechanism.markers(k).marker.shape_1 = [0; at_tip; 0; 0];  # base functions there
+      mechanism.markers(k).marker.shape_2 = zeros (4, 1);
     endif
   endfor
 endfunction

@@ -22,7 +22,6 @@ function mechanism = build_mechanism (scene, rungs)
     if (isempty (g))
       g = numel (mechanism.groups) + 1;
       new = struct ("what", {what}, "model", free_rod_model (body, rungs{k}), "bodies", [], "index", []);
-      new.arguments = free_rod_arguments (new.model, scene.gravity);
       mechanism.groups = [mechanism.groups, new];
     endif
     model = mechanism.groups(g).model;

@@ -11,9 +11,11 @@ function K = geometric_stiffness (mechanism, q, F)
     [R, bodies] = size (index);
     i = group.numbers;
     Q = reshape (q(index), R, bodies);
+    motion = struct ("phi", Q(end-2,:), "V", Q(1:end-3,:));
+    loads = struct ("force_x", F.x(i).', "force_y", F.y(i).', "force_angle", F.angle(i).');
     [phi_phi, phi_V, shortening, slope_1_1, slope_1_2, slope_2_2] = rod_marker_tangent (
-      Q(end-2,:), Q(1:end-3,:), F.x(i).', F.y(i).', F.angle(i).', group.arguments{:});
-    [slope_1, slope_2, matrix] = group.arguments{6:8};
+      motion, loads, group.marker);
+    [slope_1, slope_2, matrix] = deal (group.marker.slope_1, group.marker.slope_2, group.marker.shortening_matrix);
     cross = slope_1*slope_2.';
     for b = 1:bodies
       V_V = shortening(b)*matrix + slope_1_1(b)*(slope_1*slope_1.') + slope_1_2(b)*(cross + cross.') ...

@@ -13,14 +13,16 @@ function c = joint_constraints (constraints, t, at)
     kind = constraints.kinds(i);
     p = kind.first;
     s = kind.second;
-    motion = {at.x(p,:), at.y(p,:), at.angle(p,:), at.x(s,:), at.y(s,:), at.angle(s,:)};
+    markers = struct ("x_1", at.x(p,:), "y_1", at.y(p,:), "angle_1", at.angle(p,:), ...
+                      "x_2", at.x(s,:), "y_2", at.y(s,:), "angle_2", at.angle(s,:));
     rates = {at.x_dot(p,:), at.y_dot(p,:), at.angle_dot(p,:), at.x_dot(s,:), at.y_dot(s,:), at.angle_dot(s,:)};
     convections = {at.x_convection(p,:), at.y_convection(p,:), at.angle_convection(p,:), ...
                    at.x_convection(s,:), at.y_convection(s,:), at.angle_convection(s,:)};
+    [markers.x_1_dot, markers.y_1_dot, markers.angle_1_dot, ...
+     markers.x_2_dot, markers.y_2_dot, markers.angle_2_dot] = rates{:};
     offset = {kind.offset.*ones(1, numel (t))}(1:double (kind.takes_offset));
-    values = values_at (constraints.values, kind, t);
     g = cell (1, 6);
-    [residual, rate, convection, g{:}] = kind.form (motion{:}, rates{:}, offset{:}, values{:});
+    [residual, rate, convection, g{:}] = kind.form (markers, values_at (constraints.values, kind, t), offset{:});
     velocity = rate;
     for slot = 1:6
       velocity += g{slot}.*rates{slot};
@@ -35,7 +37,7 @@ function c = joint_constraints (constraints, t, at)
 endfunction
 
 ## value, value_dot, value_ddot: rows-by-k each
-function values = values_at (functions, kind, t)
+function prescribed = values_at (functions, kind, t)
   every = ones (1, numel (t));
   values = {kind.constant*every, 0*kind.constant*every, 0*kind.constant*every};
   for r = kind.moving
@@ -46,6 +48,7 @@ function values = values_at (functions, kind, t)
       endfor
     endfor
   endfor
+  prescribed = cell2struct (values, {"value", "value_dot", "value_ddot"}, 2);
 endfunction
 
 %!test # rates along a path

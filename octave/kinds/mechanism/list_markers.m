@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{mechanism} =} list_markers (@var{mechanism}, @var{joints})
 ## The @var{mechanism} with the markers of its @var{joints}: marker_of (joints-by-2: the markers of each joint,
 ## numbered), ground (x, y, angle of those on the ground) and markers (markers of equal bodies at one station,
-## a group each: group, columns (of the group's bodies), numbers (of the markers), arguments (of
-## @code{rod_marker} after the state)).
+## a group each: group, columns (of the group's bodies), numbers (of the markers), marker (as
+## @code{rod_marker} takes it)).
 ## @end deftypefn
 
 function mechanism = list_markers (mechanism, joints)
@@ -51,19 +51,20 @@ function groups = grouped (known, mechanism)
     numbers = find (place(:,1) == pair(1) & known(:,2) == pair(2)).';
     model = mechanism.groups(pair(1)).model;
     groups(end+1) = struct ("group", pair(1), "columns", place(numbers,2).', "numbers", numbers, ...
-                            "arguments", {marker_arguments(model, pair(2))});
+                            "marker", marker_at (model, pair(2)));
   endfor
 endfunction
 
-function arguments = marker_arguments (model, station)
+function marker = marker_at (model, station)
   [along, across] = functions_at (model.base, station);
   [along_slope, across_slope] = functions_at (model.base, station, 1);
   if (model.shortening)
     along_slope *= 0;  # v1 is then the stretch along the bent rod, which does not turn its tangent
   endif
   [x, y, direction] = undeformed_places (model.base, station);
-  arguments = {x, y, direction, along.', across.', along_slope.', across_slope.', ...
-               model.shortening*shortening_at(model.base, station)};
+  marker = struct ("place_1", x, "place_2", y, "direction", direction, "shape_1", along.', "shape_2", across.', ...
+                   "slope_1", along_slope.', "slope_2", across_slope.', ...
+                   "shortening_matrix", model.shortening*shortening_at (model.base, station));
 endfunction
 
 %!test # equal rods at equal stations are one group

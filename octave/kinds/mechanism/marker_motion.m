@@ -22,12 +22,10 @@ function at = marker_motion (mechanism, q, v)
     group = mechanism.markers(g);
     index = mechanism.groups(group.group).index(:,group.columns);
     [R, bodies] = size (index);
-    n = R - 3;
     Q = reshape (q(index,:), R, []);
     Q_dot = reshape (v(index,:), R, []);
     [x, y, a, x_dot, y_dot, a_dot, x_c, y_c, a_c, x_phi, y_phi, x_V, y_V, a_V] = rod_marker (
-      Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), Q(n+2,:), Q(n+3,:), ...
-      group.arguments{:});
+      motion_of_rods (Q, Q_dot), group.marker);
     i = group.numbers;
     at.x(i,:) = reshape (x, bodies, k);
     at.y(i,:) = reshape (y, bodies, k);

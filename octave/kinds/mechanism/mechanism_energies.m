@@ -7,12 +7,9 @@ function E = mechanism_energies (mechanism, q, v)
   E = zeros (3, columns (q));
   for group = mechanism.groups
     [R, bodies] = size (group.index);
-    n = R - 3;
     Q = reshape (q(group.index,:), R, []);
     Q_dot = reshape (v(group.index,:), R, []);
-    constants = group.arguments;
-    [T, U, Z] = free_rod_energies (Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), ...
-                                   Q(n+3,:), constants.inertia{:}, constants.potential{:}, group.model.arrays.mass);
+    [T, U, Z] = free_rod_energies (motion_of_rods (Q, Q_dot), group.model.arrays, mechanism.gravity);
     E += [sum(reshape (T, bodies, []), 1); sum(reshape (U, bodies, []), 1); sum(reshape (Z, bodies, []), 1)];
   endfor
 endfunction

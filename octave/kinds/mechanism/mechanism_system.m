@@ -41,7 +41,7 @@ function system = mechanism_system (scene, mechanism)
     system.q_scale(group.index(n+1,:)) = 1/group.model.length;
     for index = group.index
       system.stiffness(index(1:n),index(1:n)) = group.model.arrays.stiffness_matrix;
-      system.damping_matrix(index(1:n),index(1:n)) = group.model.damping*group.model.arrays.stiffness_matrix;
+      system.damping_matrix(index(1:n),index(1:n)) = group.model.arrays.damping*group.model.arrays.stiffness_matrix;
     endfor
   endfor
   q = v = zeros (system.n, 1);

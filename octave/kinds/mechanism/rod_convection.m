@@ -7,12 +7,10 @@
 function f = rod_convection (mechanism, q, v)
   f = zeros (size (q));
   for group = mechanism.groups
-    n = rows (group.index) - 3;
-    Q = reshape (q(group.index,:), n + 3, []);
-    Q_dot = reshape (v(group.index,:), n + 3, []);
-    [V, phi, x, y] = ...
-      free_rod_convection (Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), ...
-                           group.arguments.inertia{:}, group.arguments.potential{3:end}, group.model.arrays.mass);
+    R = rows (group.index);
+    Q = reshape (q(group.index,:), R, []);
+    Q_dot = reshape (v(group.index,:), R, []);
+    [V, phi, x, y] = free_rod_convection (motion_of_rods (Q, Q_dot), group.model.arrays);
     f(group.index,:) = reshape ([V; phi; x; y], [], columns (q));
   endfor
 endfunction

@@ -13,14 +13,11 @@ function d = rod_dynamics (mechanism, q, v)
   for g = 1:numel (mechanism.groups)
     group = mechanism.groups(g);
     [R, bodies] = size (group.index);
-    n = R - 3;
     Q = reshape (q(group.index,:), R, []);
     Q_dot = reshape (v(group.index,:), R, []);
-    constants = group.arguments;
     b = struct ();
     [b.V_phi, b.V_x, b.V_y, b.phi_phi, b.phi_x, b.phi_y, force_V, force_phi, force_x, force_y, dissipated] = ...
-      free_rod_equations (Q(n+1,:), Q_dot(n+1,:), Q(1:n,:), Q_dot(1:n,:), Q_dot(n+2,:), Q_dot(n+3,:), ...
-                          constants.inertia{:}, constants.potential{:}, group.model.damping, group.model.arrays.mass);
+      free_rod_equations (motion_of_rods (Q, Q_dot), group.model.arrays, mechanism.gravity);
     d.force(group.index,:) = reshape ([force_V; force_phi; force_x; force_y], [], k);
     d.dissipated += sum (reshape (dissipated, bodies, k), 1);
     d.blocks{g} = b;

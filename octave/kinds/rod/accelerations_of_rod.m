@@ -14,7 +14,7 @@ endfunction
 function z_dot = rate (t, z, interval, n, c)
   t = min (max (t, interval(1)), interval(2));
   [m, mm, force_V, force_phi, power, dissipated] = rod_forces (t, z(n+1), z(2*n+2), z(1:n), z(n+2:2*n+1), c);
-  z_dot = [z(n+2:2*n+2); [c.mass_matrix, m; m.', mm] \ [force_V; force_phi]; power; dissipated];
+  z_dot = [z(n+2:2*n+2); [c.rod.mass_matrix, m; m.', mm] \ [force_V; force_phi]; power; dissipated];
 endfunction
 
 function y = state (z, n, c)

@@ -118,7 +118,6 @@ endfunction
 %! scene = check_scene (spin_up ());
 %! rung = struct ("sines", [], "bending", 0, "longitudinal", 0, "axial", "quasistatic", "stiffening", "none");
 %! model = build_model (scene, rung);
-%! V1 = rod_followers (0, 6, 0, model.followers.flexibility, model.followers.centrifugal_vector, ...
-%!                     model.followers.first_moment_1, 0, 0, model.followers.shape_1);
+%! V1 = rod_followers (struct ("phi", 0, "phi_dot", 6), model.followers, 0, struct ("force_x", 0, "force_y", 0));
 %! [along, across] = functions_at (model.base, 10);
 %! assert (along*V1, 1.2*6^2*10^3/(3*2.8e7), 2e-5*5.14e-4);

@@ -20,30 +20,27 @@ function [force_q, force_phi, w4] = dropped_forces (points, motion, loads)
   if (! isempty (motion.followers))
     follow = @(k) points.of_followers{k}*motion.followers;
   endif
-  stretch = along{2}*q + follow (2);
-  stretch_dot = along{2}*q_dot;
-  stretch_ddot = along{2}*q_ddot;
-  slope = across{2}*q;
-  slope_dot = across{2}*q_dot;
-  slope_ddot = across{2}*q_ddot;
-  [w2, w4, w2_dot, w4_dot, w2_ddot] = rod_shortening_rates (slope, slope_dot, slope_ddot, stretch, stretch_dot);
+  field = struct ("v1", along{1}*q + follow (1), "v1_dot", along{1}*q_dot, "v1_ddot", along{1}*q_ddot, ...
+                  "v2", across{1}*q, "v2_dot", across{1}*q_dot, "v2_ddot", across{1}*q_ddot, ...
+                  "stretch", along{2}*q + follow (2), "stretch_dot", along{2}*q_dot, ...
+                  "stretch_ddot", along{2}*q_ddot, ...
+                  "slope", across{2}*q, "slope_dot", across{2}*q_dot, "slope_ddot", across{2}*q_ddot, ...
+                  "stretch_slope", along{3}*q + follow (3), "bend", across{3}*q);
+  [w2, w4, w2_dot, w4_dot, w2_ddot] = rod_shortening_rates (field);
   m = columns (q);
   all = points.integral*[w2, w4, w2_dot, w4_dot, w2_ddot];
   part = @(k) all(:,(k-1)*m+(1:m));
-  w2 = part (1);
   w4 = part (2);
-  w2_dot = part (3);
-  w4_dot = part (4);
-  w2_ddot = part (5);
+  field.w2 = part (1);
+  field.w4 = w4;
+  field.w2_dot = part (3);
+  field.w4_dot = part (4);
+  field.w2_ddot = part (5);
 
   [on_v1, on_v2, on_w2, on_w4, on_stretch, on_stretch_slope, on_slope, on_bend, on_phi] = rod_dropped_forces (
-    motion.phi, motion.phi_dot, motion.phi_ddot, motion.x_ddot, motion.y_ddot, ...
-    along{1}*q + follow (1), along{1}*q_dot, along{1}*q_ddot, across{1}*q, across{1}*q_dot, across{1}*q_ddot, ...
-    w2, w2_dot, w2_ddot, w4, w4_dot, stretch, stretch_dot, stretch_ddot, slope, slope_dot, slope_ddot, ...
-    along{3}*q + follow (3), across{3}*q, points.xi1, points.rhoA, points.rhoI, points.EI, loads.gravity, ...
-    points.force_share, loads.force_x, loads.force_y);
-  [on_slope, on_stretch] = rod_pull_on_slopes (slope, stretch, on_slope, on_stretch, points.integral.'*on_w2, ...
-                                               points.integral.'*on_w4);
+    motion, field, points, loads.gravity, loads);
+  [on_slope, on_stretch] = rod_pull_on_slopes (field.slope, field.stretch, on_slope, on_stretch, ...
+                                               points.integral.'*on_w2, points.integral.'*on_w4);
   force_q = across{1}.'*on_v2 + across{2}.'*on_slope + across{3}.'*on_bend + ...
             along{1}.'*on_v1 + along{2}.'*on_stretch + along{3}.'*on_stretch_slope;
   force_phi = sum (on_phi, 1);

@@ -8,7 +8,8 @@ function w4 = dropped_shortening (model, stations, V)
   axis = dropped_points (model, struct ("tip_mass", 0, "force_station", 0)).axis;
   [along, across] = functions_at (model.base, axis.xi, 1);
   none = zeros (numel (axis.xi), columns (V));
-  [~, slopes] = rod_shortening_rates (across*V, none, none, along*V, none);
+  [~, slopes] = rod_shortening_rates (struct ("slope", across*V, "slope_dot", none, "slope_ddot", none, ...
+                                              "stretch", along*V, "stretch_dot", none));
   w4 = integrals_to (axis, stations)*slopes;
 endfunction
 

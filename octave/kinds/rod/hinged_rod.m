@@ -58,7 +58,8 @@ function y = initial_state (initial, model, c)
   n = columns (model.basis);
   start = initial_coordinates (initial, model, []);
   start(n+1,:) += [initial.phi, initial.phi_dot];
-  c.energy_arguments(13:15) = 0;  # followers take their places at once, and the angular momentum stays
+  ## followers take their places at once, and the angular momentum stays
+  c.rod.follower_dd = c.rod.follower_ds = c.rod.follower_ss = 0;
   [~, p] = rod_energies_of (start(n+1,1), start(n+1,2), start(1:n,1), start(1:n,2), c);
   y = [start(:,1); start(1:n,2); p; 0; 0];
 endfunction

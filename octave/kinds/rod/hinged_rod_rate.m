@@ -1,28 +1,21 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{y_dot} =} hinged_rod_rate (@var{t}, @var{y}, @var{interval}, @var{n}, @var{c})
 ## Rates of the states @var{y} (a column a time) of @code{hinged_rod} at the times @var{t} (1-by-m), from
-## @code{rod_rates}, or @code{rod_rates_with_force} in a scene with a force.
+## @code{rod_rates}.
 ##
 ## Loads are taken at a time within @var{interval} = [start, end] (s), which has no jump in it.
 ## @end deftypefn
 
 function y_dot = hinged_rod_rate (t, y, interval, n, c)
-  V = y(1:n,:);
-  phi = y(n+1,:);
-  V_dot = y(n+2:2*n+1,:);
-  p = y(2*n+2,:);
+  motion.V = y(1:n,:);
+  motion.phi = y(n+1,:);
+  motion.V_dot = y(n+2:2*n+1,:);
+  motion.angular_momentum = y(2*n+2,:);
   t = min (max (t, interval(1)), interval(2));
-  if (isempty (c.force))
-    [V_ddot, phi_dot, torque, power, dissipated] = rod_rates (
-      phi, p, V, V_dot, c.inverse_mass_matrix, c.arguments{:}, c.moment (t), c.slopes{:});
-  else
-    c.interval = interval;
-    F = num2cell (force_at (t, c), 2);
-    [V_ddot, phi_dot, torque, power, dissipated] = rod_rates_with_force (
-      phi, p, V, V_dot, c.inverse_mass_matrix, c.arguments{:}, c.moment (t), c.slopes{:}, F{:}, ...
-      c.force_arguments{:});
-  endif
-  y_dot = [V_dot; phi_dot; V_ddot; torque; power; dissipated];
+  c.interval = interval;
+  loads = loads_of_rod (t, motion, c);
+  [V_ddot, phi_dot, torque, power, dissipated] = rod_rates (motion, c.rod, c.gravity, loads);
+  y_dot = [motion.V_dot; phi_dot; V_ddot; torque; power; dissipated];
 endfunction
 
 %!test # where the moment jumps, the interval says which value is meant

@@ -8,8 +8,8 @@ function system = hub_rod (scene, model)
   n = columns (model.basis);
   constants = rod_constants (scene, model);
   constants.rotation = watched_load ("rotation", scene.rotation);
-  constants.slopes = {model.arrays.slope_1, model.arrays.slope_2};
   a = model.arrays;
+  [constants.rod.slope_1, constants.rod.slope_2] = deal (a.slope_1, a.slope_2);
 
   P = [eye(n); -a.slope_2.'];
   system.mass = P.'*[a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia]*P;
@@ -42,7 +42,8 @@ function found = motion (times, states, n, c)
   found.q = states(1:n,:);
   found.q_dot = states(n+1:2*n,:);
   theta = at_times (c.rotation, times);
-  [found.phi, found.phi_dot] = rod_in_hub (theta(1,:), theta(2,:), found.q, found.q_dot, c.slopes{:});
+  within = struct ("V", found.q, "V_dot", found.q_dot);
+  [found.phi, found.phi_dot] = rod_in_hub (theta(1,:), theta(2,:), within, c.rod);
   [~, found.torque] = hub_rod_rate (times, states, times([1 end]), n, c);
 endfunction
 

@@ -12,11 +12,11 @@ function [y_dot, torque] = hub_rod_rate (t, y, interval, n, c)
   V = y(1:n,:);
   V_dot = y(n+1:2*n,:);
   theta = at_times (c.rotation, t);
-  [phi, phi_dot, gradient, acceleration] = rod_in_hub (theta(1,:), theta(2,:), V, V_dot, c.slopes{:});
+  [phi, phi_dot, gradient, acceleration] = rod_in_hub (theta(1,:), theta(2,:), struct ("V", V, "V_dot", V_dot), c.rod);
   c.interval = interval;
   [mass_V_phi, mass_phi_phi, force_V, force_phi, power, dissipated, more_power] = rod_forces (
     t, phi, phi_dot, V, V_dot, c);
-  [V_ddot, phi_ddot, torque] = hub_accelerations (c.inverse_mass_matrix, mass_V_phi, mass_phi_phi, gradient, ...
+  [V_ddot, phi_ddot, torque] = hub_accelerations (c.rod.inverse_mass_matrix, mass_V_phi, mass_phi_phi, gradient, ...
                                                   force_V, force_phi, theta(3,:) - acceleration);
   y_dot = [V_dot; V_ddot; power + more_power.*phi_ddot + torque.*theta(2,:); dissipated];
 endfunction

@@ -8,19 +8,13 @@
 function y_dot = literal_rod_rate (t, y, scene, modes)
   n = sum (modes);
   prefix = sprintf ("literal_%d_%d_", modes);
-  V1 = y(1:modes(1));
-  V2 = y(modes(1)+1:n);
-  phi = y(n+1);
-  V1_dot = y(n+1+(1:modes(1)));
-  V2_dot = y(n+1+(modes(1)+1:n));
-  phi_dot = y(2*n+2);
-  rod = scene.rod;
-  constants = {rod.length, rod.width, rod.half_height, rod.lambda, rod.mu, rod.density, ...
-               double(scene.model.rotary_inertia)};
-  mass_matrix = feval ([prefix "mass_matrix"], phi, V1, V2, constants{:});
-  forces = feval ([prefix "generalized_forces"], phi, V1, V2, phi_dot, V1_dot, V2_dot, constants{:}, scene.gravity, ...
-                  scene.moment (t), rod.damping, double (strcmp (scene.model.energy, "paper")), ...
-                  double (strcmp (scene.model.moment_work, "tangent")));
+  motion = struct ("V1", y(1:modes(1)), "V2", y(modes(1)+1:n), "phi", y(n+1), ...
+                   "V1_dot", y(n+1+(1:modes(1))), "V2_dot", y(n+1+(modes(1)+1:n)), "phi_dot", y(2*n+2));
+  model = struct ("rotary_inertia", double (scene.model.rotary_inertia), ...
+                  "paper_energy", double (strcmp (scene.model.energy, "paper")), ...
+                  "tangent_work", double (strcmp (scene.model.moment_work, "tangent")));
+  mass_matrix = feval ([prefix "mass_matrix"], motion, scene.rod, model);
+  forces = feval ([prefix "generalized_forces"], motion, scene.rod, model, scene.gravity, scene.moment (t));
   y_dot = [y(n+2:2*n+2); mass_matrix \ forces];
 endfunction
 

@@ -17,20 +17,18 @@ function history = measure (system, model, times, states)
   N1 = numel (model.base.longitudinal);
   followers = model.followers;
   a = model.arrays;
-  F = {0*times, 0*times};
+  force = zeros (2, numel (times));
   if (! isempty (system.force))
-    F = num2cell (at_times (system.force, times), 2).';
+    force = at_times (system.force, times);
   endif
+  loads = struct ("force_x", force(1,:), "force_y", force(2,:));
   if (! isempty (followers))
-    history.V(1:N1,:) = rod_followers (motion.phi, motion.phi_dot, system.gravity, followers.flexibility, ...
-                                       followers.centrifugal_vector, followers.first_moment_1, F{:}, ...
-                                       followers.shape_1);
+    history.V(1:N1,:) = rod_followers (motion, followers, system.gravity, loads);
   endif
-  history.psi = rod_tangent_angle (motion.phi, motion.q, a.slope_1, a.slope_2) + ...
+  history.psi = rod_tangent_angle (struct ("phi", motion.phi, "V", motion.q), a) + ...
       nthargout (3, @undeformed_places, model.base, 0);
   E = system.energies (motion.phi, motion.phi_dot, motion.q, motion.q_dot);
-  [T, U, Z, W] = rod_pulled_followers (motion.phi, motion.phi_dot, system.gravity, F{:}, a.follower_fd, ...
-                                       a.follower_fs, a.follower_ff);
+  [T, U, Z, W] = rod_pulled_followers (motion, system.gravity, loads, a);
   history.T = E(1,:) + T;
   history.U = E(2,:) + U;
   history.Z = E(3,:) + Z;

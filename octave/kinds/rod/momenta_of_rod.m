@@ -7,7 +7,6 @@
 ## @end deftypefn
 
 function momenta = momenta_of_rod (n, c, mass, stiffness)
-  c.velocity_arguments = [{c.inverse_mass_matrix}, c.energy_arguments];
   momenta.rate = @(t, z, interval) rate (t, z, interval, n, c);
   momenta.state = @(z) state (z, n, c);
   momenta.form = @(y) form (y, n, c);
@@ -16,37 +15,29 @@ function momenta = momenta_of_rod (n, c, mass, stiffness)
 endfunction
 
 function z_dot = rate (t, z, interval, n, c)
-  V = z(1:n,:);
-  phi = z(n+1,:);
+  motion = struct ("V", z(1:n,:), "phi", z(n+1,:), "momentum_V", z(n+2:2*n+1,:), "angular_momentum", z(2*n+2,:));
   t = min (max (t, interval(1)), interval(2));
-  [V_dot, phi_dot] = rod_velocities (phi, z(2*n+2,:), V, z(n+2:2*n+1,:), c.velocity_arguments{:});
-  [force_V, torque, power, dissipated] = rod_momentum_rates (phi, phi_dot, V, V_dot, c.arguments{:}, ...
-                                                             c.moment (t), c.slopes{:});
-  if (! isempty (c.force))
-    F = num2cell (force_at (t, c), 2);
-    [load_V, load_phi, load_power] = rod_point_force (phi, phi_dot, V, V_dot, c.energy_arguments{8}, F{:}, ...
-                                                      c.force_arguments{:});
-    force_V += load_V;
-    torque += load_phi;
-    power += load_power;
-  endif
-  z_dot = [V_dot; phi_dot; force_V; torque; power; dissipated];
+  loads = loads_of_rod (t, motion, c);
+  [motion.V_dot, motion.phi_dot] = rod_velocities (motion, c.rod, c.gravity, loads);
+  [force_V, torque, power, dissipated] = rod_momentum_rates (motion, c.rod, c.gravity, loads);
+  z_dot = [motion.V_dot; motion.phi_dot; force_V; torque; power; dissipated];
 endfunction
 
 function y = state (z, n, c)
   y = z;
-  y(n+2:2*n+1,:) = rod_velocities (z(n+1,:), z(2*n+2,:), z(1:n,:), z(n+2:2*n+1,:), c.velocity_arguments{:});
+  motion = struct ("V", z(1:n,:), "phi", z(n+1,:), "momentum_V", z(n+2:2*n+1,:), "angular_momentum", z(2*n+2,:));
+  y(n+2:2*n+1,:) = rod_velocities (motion, c.rod, c.gravity, struct ("inertia", zeros (size (motion.phi))));
 endfunction
 
 function z = form (y, n, c)
-  V = y(1:n,:);
-  phi = y(n+1,:);
-  V_dot = y(n+2:2*n+1,:);
-  no_moment = zeros (size (phi));
-  [~, phi_dot] = rod_rates (phi, y(2*n+2,:), V, V_dot, c.inverse_mass_matrix, c.arguments{:}, no_moment, c.slopes{:});
-  mass_V_phi = rod_equations (phi, phi_dot, V, V_dot, c.arguments{:}, no_moment, c.slopes{:});
+  motion = struct ("V", y(1:n,:), "phi", y(n+1,:), "V_dot", y(n+2:2*n+1,:), "angular_momentum", y(2*n+2,:));
+  c.moment = @(t) 0*motion.phi;
+  c.force = [];
+  loads = loads_of_rod (0, motion, c);  # none: momenta do without
+  [~, motion.phi_dot] = rod_rates (motion, c.rod, c.gravity, loads);
+  mass_V_phi = rod_equations (motion, c.rod, c.gravity, loads);
   z = y;
-  z(n+2:2*n+1,:) = c.mass_matrix*V_dot + mass_V_phi.*phi_dot;
+  z(n+2:2*n+1,:) = c.rod.mass_matrix*motion.V_dot + mass_V_phi.*motion.phi_dot;
 endfunction
 
 %!function [system, y] = any_rod ()

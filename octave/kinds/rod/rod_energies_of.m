@@ -5,7 +5,8 @@
 ## @end deftypefn
 
 function [E, p] = rod_energies_of (phi, phi_dot, q, q_dot, c)
-  [T, U, Z, p] = rod_energies (phi, phi_dot, q, q_dot, c.energy_arguments{:});
+  motion = struct ("phi", phi, "phi_dot", phi_dot, "V", q, "V_dot", q_dot);
+  [T, U, Z, p] = rod_energies (motion, c.rod, c.gravity);
   E = [T; U; Z];
 endfunction
 

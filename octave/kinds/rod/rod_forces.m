@@ -2,24 +2,15 @@
 ## @deftypefn {} {[@var{mass_V_phi}, @var{mass_phi_phi}, @var{force_V}, @var{force_phi}, @var{power}, @
 ##   @var{dissipated}, @var{more_power}] =} rod_forces (@var{t}, @var{phi}, @var{phi_dot}, @var{V}, @var{V_dot}, @var{c})
 ## Blocks of the mass matrix and generalized forces of the rod with its loads at the times @var{t} (1-by-m), from
-## @code{rod_equations} and @code{rod_point_force}; @var{c} comes from @code{rod_constants}.  The power of the loads is
-## @var{power} + @var{more_power}*phi_ddot.
+## @code{rod_equations}; @var{c} comes from @code{rod_constants}.  The power of the loads is @var{power} +
+## @var{more_power}*phi_ddot.
 ## @end deftypefn
 
 function [mass_V_phi, mass_phi_phi, force_V, force_phi, power, dissipated, more_power] = rod_forces ( ...
     t, phi, phi_dot, V, V_dot, c)
-  [mass_V_phi, mass_phi_phi, force_V, force_phi, power, dissipated] = rod_equations (
-    phi, phi_dot, V, V_dot, c.arguments{:}, c.moment (t), c.slopes{:});
-  more_power = 0*phi;
-  if (! isempty (c.force))
-    F = num2cell (force_at (t, c), 2);
-    [load_V, load_phi, load_power, more_power, more_mass] = rod_point_force (
-      phi, phi_dot, V, V_dot, c.energy_arguments{8}, F{:}, c.force_arguments{:});
-    mass_phi_phi += more_mass;
-    force_V += load_V;
-    force_phi += load_phi;
-    power += load_power;
-  endif
+  motion = struct ("phi", phi, "phi_dot", phi_dot, "V", V, "V_dot", V_dot);
+  [mass_V_phi, mass_phi_phi, force_V, force_phi, power, dissipated, more_power] = rod_equations (
+    motion, c.rod, c.gravity, loads_of_rod (t, motion, c));
 endfunction
 
 %!test # with the mass matrix they give the same accelerations as the rates of the hinged rod, followers or not
@@ -35,7 +26,7 @@ endfunction
 %! [q, q_dot, phi, p] = deal (0.01*[3 4 -5 1 -2](1:n).', [-3 -4 5 1 2](1:n).'/10, 0.4, 60);
 %! y_dot = system.rate (0.1, [q; phi; q_dot; p; 0; 0], [0 0.3]);
 %! [m, mm, force_V, force_phi, power, dissipated, more_power] = rod_forces (0.1, phi, y_dot(n+1), q, q_dot, c);
-%! accelerations = [c.mass_matrix, m; m.', mm] \ [force_V; force_phi];
+%! accelerations = [c.rod.mass_matrix, m; m.', mm] \ [force_V; force_phi];
 %! assert (y_dot(n+2:2*n+1), accelerations(1:n), 1e-8*norm (accelerations));
 %! assert (y_dot(2*n+[3 4]), [power + more_power*accelerations(end); dissipated], 1e-8*abs (power));
 %! endfor

@@ -58,7 +58,7 @@ function deflection = deflection_of (model, motion, projector)
     history.q = projector*motion.q;
   endif
   history.V = model.basis*history.q;
-  history.psi = rod_tangent_angle (history.phi, history.q, model.arrays.slope_1, model.arrays.slope_2);
+  history.psi = rod_tangent_angle (struct ("phi", history.phi, "V", history.q), model.arrays);
   [history.tip_x, history.tip_y] = centreline (model, model.length, history, 1);
   [along, across] = tip_deflection (history, undeformed_tip (model));
   deflection = [along; across];

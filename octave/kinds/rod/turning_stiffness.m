@@ -5,7 +5,7 @@
 ## @end deftypefn
 
 function K = turning_stiffness (phi, phi_dot, c)
-  [VV, V_phi, phi_phi] = rod_tangent_stiffness (phi, phi_dot, c.stiffness_arguments{:});
+  [VV, V_phi, phi_phi] = rod_tangent_stiffness (struct ("phi", phi, "phi_dot", phi_dot), c.rod, c.gravity);
   K = [VV, V_phi; V_phi.', phi_phi];
 endfunction
 

@@ -11,7 +11,6 @@ function system = with_dropped (scene, model)
   constants = rod_constants (scene, model);
   constants.points = dropped_points (model, scene);
   constants.followers = model.followers;
-  constants.gravity = scene.gravity;
   constants.tangent = ! strcmp (scene.model.moment_work, "chord");
   n = columns (model.basis);
   if (isempty (scene.rotation))
@@ -19,7 +18,8 @@ function system = with_dropped (scene, model)
     system.rate = @(t, y, interval) hinged (t, y, interval, n, bare (t, y, interval), constants);
   else
     constants.rotation = scene.rotation;
-    constants.slopes = {model.arrays.slope_1, model.arrays.slope_2};
+    constants.rod.slope_1 = model.arrays.slope_1;
+    constants.rod.slope_2 = model.arrays.slope_2;
     motion = system.motion;
     system.rate = @(t, y, interval) in_hub (t, y, interval, n, constants);
     system.motion = @(times, states) without_angle (motion (times, states), constants);
@@ -35,13 +35,13 @@ function y_dot = hinged (t, y, interval, n, y_dot, c)
   phi = y(n+1,:);
   phi_dot = y_dot(n+1,:);
   [mass_q_phi, mass_phi_phi, ~, force_phi] = rod_forces (t, phi, phi_dot, q, q_dot, c);
-  solved_mass = c.inverse_mass_matrix*mass_q_phi;
+  solved_mass = c.rod.inverse_mass_matrix*mass_q_phi;
   free_mass = mass_phi_phi - sum (mass_q_phi.*solved_mass, 1);
   start = {q_ddot, (force_phi - sum(mass_q_phi.*q_ddot, 1))./mass_phi_phi};
   accelerations = {0*q, 0*phi};
   for pass = 1:2
     [force_q, torque] = dropped (t, q, q_dot, accelerations{1}, phi, phi_dot, accelerations{2}, c);
-    solved = c.inverse_mass_matrix*force_q;
+    solved = c.rod.inverse_mass_matrix*force_q;
     phi_ddot = (torque - sum (mass_q_phi.*solved, 1))./free_mass;
     accelerations = {start{1} + solved - solved_mass.*phi_ddot, start{2} + phi_ddot};
   endfor
@@ -56,14 +56,14 @@ function y_dot = in_hub (t, y, interval, n, c)
   q = y(1:n,:);
   q_dot = y(n+1:2*n,:);
   theta = at_times (c.rotation, t);
-  [phi, phi_dot, gradient, acceleration] = rod_in_hub (theta(1,:), theta(2,:), q, q_dot, c.slopes{:});
+  [phi, phi_dot, gradient, acceleration] = rod_in_hub (theta(1,:), theta(2,:), struct ("V", q, "V_dot", q_dot), c.rod);
   [angle, angle_dot, by_slope, by_stretch, second_rate] = angle_at_O (q, q_dot, c.points);
   phi -= angle;
   phi_dot -= angle_dot;
   gradient += c.points.slope_at_O.'*by_slope + c.points.stretch_at_O.'*by_stretch;
   right_side = theta(3,:) - acceleration - second_rate;
   [mass_q_phi, mass_phi_phi, force_q, force_phi] = rod_forces (t, phi, phi_dot, q, q_dot, c);
-  solved = @(f, g) hub_accelerations (c.inverse_mass_matrix, mass_q_phi, mass_phi_phi, gradient, f, g, right_side);
+  solved = @(f, g) hub_accelerations (c.rod.inverse_mass_matrix, mass_q_phi, mass_phi_phi, gradient, f, g, right_side);
   q_ddot = 0*q;
   phi_ddot = 0*phi;
   for pass = 1:2
@@ -87,9 +87,7 @@ function [force_q, force_phi] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_
     loads.force_y = F(2,:);
   endif
   if (! isempty (c.followers))
-    motion.followers = rod_followers (phi, phi_dot, c.gravity, c.followers.flexibility, ...
-                                      c.followers.centrifugal_vector, c.followers.first_moment_1, loads.force_x, ...
-                                      loads.force_y, c.followers.shape_1);
+    motion.followers = rod_followers (motion, c.followers, c.gravity, loads);
   endif
   [force_q, force_phi] = dropped_forces (c.points, motion, loads);
 endfunction
