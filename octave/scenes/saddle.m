@@ -17,7 +17,7 @@ endfunction
 %!test # the surface rises one way and falls the other, the rod lies beside its middle and slides down
 %! scene = saddle ();
 %! surface = surface_functions (scene.surface);
-%! height = @(alpha_1, alpha_2) nthargout (3, surface.position, alpha_1, alpha_2);
+%! height = @(alpha_1, alpha_2) nthargout (3, surface.position, struct ("alpha1", alpha_1, "alpha2", alpha_2));
 %! assert (height (0.3, 0) > 0 && height (0, 0.3) < 0);
 %! [scene.duration, scene.model.modes] = deal (0.04, [4 4]);
 %! history = driver (scene, "output", "").history;

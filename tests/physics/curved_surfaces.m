@@ -84,7 +84,7 @@ endfunction
 %!  scene.initial = struct ("point", [0.2 -0.1], "angle", 1.2);
 %!  surface = surface_functions (scene.surface);
 %!  ends = laid_geodesic (surface, [0.2 -0.1], 1.2, [0 0.4]);
-%!  [x, y, z] = surface.position (ends(1,:), ends(2,:));
+%!  [x, y, z] = surface.position (struct ("alpha1", ends(1,:), "alpha2", ends(2,:)));
 %!  axis = cross ([x(1); y(1); z(1)], [x(2); y(2); z(2)]);
 %!  axis /= norm (axis);
 %!  scene.initial.velocity = @(xi, alpha) speed (xi).*turning (alpha, 2*axis, R) ...

@@ -28,7 +28,7 @@ function trial = exact_rod (scene, modes, seconds = 300)
   [states, trial.count] = integrate (system, frame_times (plane), solver);
   none = 0*states(1:system.n,:);
   fields = system.fields (states(1:system.n,:), none, none, linspace (0, scene.rod.length, 21).');
-  [trial.x, ~, trial.y] = system.surface.position (fields{1:2});
+  [trial.x, ~, trial.y] = system.surface.position (fields);
 endfunction
 
 %!test # a rod that hardly bends: the rigid pendulum

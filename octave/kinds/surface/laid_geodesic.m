@@ -6,7 +6,7 @@
 ## @end deftypefn
 
 function alpha = laid_geodesic (surface, point, angle, stations)
-  [a_11, a_12, a_22] = surface.mass (point(1), point(2), 1);
+  [a_11, a_12, a_22] = surface.mass (struct ("alpha1", point(1), "alpha2", point(2)), struct ("rhoA", 1));
   a = [a_11, a_12; a_12, a_22];
   across = [-a_12; a_11]/sqrt (a_11*det (a));
   slope = cos (angle)*[1; 0]/sqrt (a_11) + sin (angle)*across;
@@ -31,14 +31,14 @@ function alpha = laid_geodesic (surface, point, angle, stations)
 endfunction
 
 function y_dot = rate (y, surface)
-  [second_1, second_2] = surface.geodesic (y(1), y(2), y(3), y(4));
+  [second_1, second_2] = surface.geodesic (struct ("alpha1", y(1), "alpha2", y(2), "alpha1_1", y(3), "alpha2_1", y(4)));
   y_dot = [y(3); y(4); second_1; second_2];
 endfunction
 
 %!test # a great circle through the lowest point, as long as it is
 %! surface = surface_functions (struct ("name", "sphere", "radius", 2));
 %! alpha = laid_geodesic (surface, [0 0], 0.3, [0 0.5 1.5]);
-%! [x, y, z] = surface.position (alpha(1,:), alpha(2,:));
+%! [x, y, z] = surface.position (struct ("alpha1", alpha(1,:), "alpha2", alpha(2,:)));
 %! s = [0 0.5 1.5];
 %! assert ([x; y; z], 2*[cos(0.3)*sin(s/2); sin(0.3)*sin(s/2); -cos(s/2)], 1e-10);
 %!error <initial.point is \[0 1\]: the surface's chart is singular there>

@@ -24,11 +24,11 @@ function history = measure_surface (system, scene, times, states)
   history.reaction = normal_reaction (system, z, z_dot);
   stations = linspace (0, scene.rod.length, 101).';
   fields = system.fields (z, z_dot, z_dot, stations);
-  [history.x, history.y, history.z] = system.surface.position (fields{1:2});
-  [history.n_1, history.n_2, history.n_3] = system.surface.normal (fields{1:2});
-  history.alpha = fields(1:2);
+  [history.x, history.y, history.z] = system.surface.position (fields);
+  [history.n_1, history.n_2, history.n_3] = system.surface.normal (fields);
+  history.alpha = {fields.alpha1, fields.alpha2};
   history.tip = [history.x(end,:); history.y(end,:); history.z(end,:)];
-  history.largest_strain = max (max (abs (system.surface.strains (fields{1:6}))));
+  history.largest_strain = max (max (abs (system.surface.strains (fields))));
 endfunction
 
 function names = numbered (name, model, i)

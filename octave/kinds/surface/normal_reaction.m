@@ -7,7 +7,7 @@
 
 function reaction = normal_reaction (system, z, z_dot)
   fields = system.fields (z, z_dot, z_dot, system.points);
-  [parts{1:3}] = system.surface.reaction (fields{1:8}, system.rod{:});
+  [parts{1:3}] = system.surface.reaction (fields, system.rod, system.gravity);
   p = rows (parts{1});
   degree = p - 4;  # a little below interpolation, against rounding
   [values, slopes] = legendre_functions (degree, system.points, sum (system.weights));
@@ -37,8 +37,9 @@ endfunction
 %! system = surface_rod (check_surface_scene (scene));
 %! z = surface_equilibrium (system);
 %! f = system.fields (z, z, z, system.points);
-%! [~, ~, n_3] = system.surface.normal (f{1:2});
-%! [parts{1:3}] = system.surface.reaction (f{1:6}, 0*f{7}, 0*f{8}, system.rod{:});
+%! [f.alpha1_dot, f.alpha2_dot] = deal (0*f.alpha1_dot);
+%! [~, ~, n_3] = system.surface.normal (f);
+%! [parts{1:3}] = system.surface.reaction (f, system.rod, system.gravity);
 %! fit = legendre_functions (30, system.points, 1);
 %! [ends, slopes] = legendre_functions (30, [0; 1], 1);
 %! at = @(base, value) base*(fit \ value);

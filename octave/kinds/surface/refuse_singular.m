@@ -7,7 +7,7 @@
 ## @end deftypefn
 
 function refuse_singular (surface, fields, when)
-  [n_1, n_2, n_3, determinant] = surface.normal (fields{1:2});
+  [n_1, n_2, n_3, determinant] = surface.normal (fields);
   remedy = "; try another chart of the surface, or a rod that keeps away";
   if (! (isreal (determinant) && all (isfinite (determinant(:))) && all (isfinite (n_1(:)))))
     error ("toolchain:integration", "the rod leaves the chart %s: the surface has no metric there%s\n", when, remedy);
@@ -16,11 +16,13 @@ function refuse_singular (surface, fields, when)
   if (any (flips(:)) || any (vec (determinant <= 1e-4*max (determinant, [], 1))))
     [~, k] = min (min (determinant, [], 2));
     text = "the rod meets a point %s where the surface's chart is singular, near alpha = (%.3g, %.3g)%s\n";
-    error ("toolchain:integration", text, when, fields{1}(k,1), fields{2}(k,1), remedy);
+    error ("toolchain:integration", text, when, fields.alpha1(k,1), fields.alpha2(k,1), remedy);
   endif
 endfunction
 
 %!error <the rod meets a point at the start where the surface's chart is singular, near alpha = \(1e-05, 0\)>
-%! refuse_singular (surface_functions (struct ("name", "cone", "half_angle", 1)), {[1; 1e-5], [0; 0]}, "at the start");
+%! cone = surface_functions (struct ("name", "cone", "half_angle", 1));
+%! refuse_singular (cone, struct ("alpha1", [1; 1e-5], "alpha2", [0; 0]), "at the start");
 %!error <the rod leaves the chart at t = 1: the surface has no metric there>
-%! refuse_singular (surface_functions (struct ("name", "cone", "half_angle", 1)), {[1; NaN], [0; 0]}, "at t = 1");
+%! cone = surface_functions (struct ("name", "cone", "half_angle", 1));
+%! refuse_singular (cone, struct ("alpha1", [1; NaN], "alpha2", [0; 0]), "at t = 1");

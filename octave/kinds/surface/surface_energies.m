@@ -6,7 +6,7 @@
 
 function E = surface_energies (system, z, z_dot)
   fields = system.fields (z, z_dot, z_dot, system.points);
-  [density{1:6}] = system.surface.energies (fields{[1:8, 11:12]}, system.rod{:}, system.rhoI);
+  [density{1:6}] = system.surface.energies (fields, system.rod, system.gravity);
   E = cell2mat (cellfun (@(d) system.weights.'*d, density.', "uniformoutput", false));
 endfunction
 

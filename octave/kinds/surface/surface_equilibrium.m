@@ -29,5 +29,5 @@ endfunction
 %! scene.initial.angle = -pi/2;
 %! system = surface_rod (check_surface_scene (scene));
 %! z = surface_equilibrium (system);
-%! tip = system.fields (z, z, z, 1){2};
+%! tip = system.fields (z, z, z, 1).alpha2;
 %! assert (-tip - 1, 9.81/1e4/2, 1e-6);

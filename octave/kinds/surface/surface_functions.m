@@ -2,7 +2,7 @@
 ## @deftypefn {} {@var{surface} =} surface_functions (@var{given})
 ## The derived functions of the surface @var{given}, a struct of its name and its parameters: a struct of position,
 ## normal, geodesic, mass, balance, turning, rotary_balance, energies, strains, point_loads and reaction, which take
-## the arguments of generated/surface_NAME_*.m but for the parameters, arrays of any size.
+## the arguments of generated/surface_NAME_*.m but for the surface, with arrays of any size.
 ##
 ## Surfaces of one's own (`make derive SURFACE=file') are found in output/surfaces/.  Unknown names, missing and
 ## unknown parameters and such that are not positive are errors.
@@ -37,8 +37,8 @@ endfunction
 ## as the signature of the derived function has them
 function names = parameters_of (name)
   text = fileread (which (["surface_" name "_position"]));
-  signature = regexp (text, '\nfunction [^(]*\(([^)]*)\)', "tokens", "once"){1};
-  names = strtrim (strsplit (strrep (signature, "...", ""), ","))(3:end);
+  names = cellfun (@(found) found{1}, regexp (text, '@item @var\{surface\}\.(\w+)', "tokens"), ...
+                   "uniformoutput", false);
 endfunction
 
 function values = values_of (given, names, surface)
@@ -46,7 +46,7 @@ function values = values_of (given, names, surface)
   if (! isempty (unknown))
     scene_error ("surface.%s is not a parameter of the %s: those are %s", unknown{1}, surface, strjoin (names, ", "));
   endif
-  values = {};
+  values = {};  # of a surface without parameters
   for name = names
     if (! isfield (given, name{1}))
       scene_error ("surface.%s is missing: it takes a positive number", name{1});
@@ -56,15 +56,15 @@ function values = values_of (given, names, surface)
     if (! isempty (got))
       scene_error ("surface.%s is %s: it takes a positive number", name{1}, got);
     endif
-    values{end+1} = value;
+    values{1}.(name{1}) = value;
   endfor
 endfunction
 
 %!test # the lowest point of a lying cylinder, and its normal
 %! surface = surface_functions (struct ("name", "cylinder", "radius", 2));
-%! [x, y, z] = surface.position ([0 1], [0 0]);
+%! [x, y, z] = surface.position (struct ("alpha1", [0 1], "alpha2", [0 0]));
 %! assert ([x; y; z], [0 1; 0 0; -2 -2], 1e-15);
-%! [n_1, n_2, n_3, determinant] = surface.normal (0, 0);
+%! [n_1, n_2, n_3, determinant] = surface.normal (struct ("alpha1", 0, "alpha2", 0));
 %! assert ([n_1 n_2 n_3 determinant], [0 0 1 1], 1e-15);
 %!error <surface.name is "egg": it takes one of bumps, cone, cylinder, plane, saddle, sphere, torus>
 %! surface_functions (struct ("name", "egg"))

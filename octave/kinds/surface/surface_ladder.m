@@ -28,9 +28,9 @@ function metres = left_out_of (reference, rung)
   q = history.q.*(number < rung(1));
   for i = 1:2
     part = (i - 1)*model.modes(1) + (1:model.modes(i));
-    alpha{i} = rod_functions (model, i, stations, length)*q(part,:);
+    place.(sprintf ("alpha%d", i)) = rod_functions (model, i, stations, length)*q(part,:);
   endfor
-  [without.x, without.y, without.z] = reference.model.surface.position (alpha{:});
+  [without.x, without.y, without.z] = reference.model.surface.position (place);
   metres = distance (without, history);
 endfunction
 

@@ -11,16 +11,17 @@ function patch = surface_patch (system, scene, history)
     high = max (history.alpha{i}(:));
     margin{i} = [low, high];
   endfor
-  [a_11, ~, a_22] = system.surface.mass (history.alpha{1}(:,1), history.alpha{2}(:,1), 1);
+  place = struct ("alpha1", history.alpha{1}(:,1), "alpha2", history.alpha{2}(:,1));
+  [a_11, ~, a_22] = system.surface.mass (place, struct ("rhoA", 1));
   lengths = sqrt ([max(a_11), max(a_22)]);
   spans = [diff(margin{1}), diff(margin{2})].*lengths;
   for i = 1:2
     wider = (0.15*max (spans) + 0.3*max (0, 0.5*max (spans) - spans(i)))/lengths(i);
     grid{i} = linspace (margin{i}(1) - wider, margin{i}(2) + wider, lines);
   endfor
-  [alpha1, alpha2] = meshgrid (grid{:});
-  [x, y, z] = system.surface.position (alpha1, alpha2);
-  [n_1, n_2, n_3] = system.surface.normal (alpha1, alpha2);
+  [place.alpha1, place.alpha2] = meshgrid (grid{:});
+  [x, y, z] = system.surface.position (place);
+  [n_1, n_2, n_3] = system.surface.normal (place);
   azimuth = deg2rad (scene.view.azimuth + 30);
   shade = 0.55 + 0.45*abs (0.55*(n_1*sin(azimuth) - n_2*cos(azimuth)) + 0.8*n_3);
   patch = struct ("x", x, "y", y, "z", z, "shade", shade);

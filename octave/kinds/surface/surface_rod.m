@@ -7,10 +7,10 @@
 ## Fields: n coordinates, numbers (of polynomials, modes, and sines), initial_state, place (see @code{place_rod}), residual (t, z, z_dot, z_ddot) = mass times
 ## acceleration less forces (n-by-m, at m times), power (t, z, z_dot) of the loads, mass_matrix (z), rate, energies
 ## (z, z_dot; see @code{surface_energies}), tangent_stiffness (t, z, z_dot, z_ddot), refuse_singular (z, when), size (z),
-## the largest displacement (m) that goes with a small change of z, fields (z, z_dot, z_ddot, stations) = arguments of
-## the surface's functions at stations of the rod, surface, rod (stiffnesses and mass as these functions take them),
-## rhoI, points and weights (p-by-1, m, of the quadrature), breaks, state_scale, mass, stiffness (linear about the
-## start), energy_floor (J), turned, forms, auto, duration.
+## the largest displacement (m) that goes with a small change of z, fields (z, z_dot, z_ddot, stations) = place, as the
+## surface's functions take it, at stations of the rod, surface, rod and gravity (likewise), points and weights (p-by-1,
+## m, of the quadrature), breaks, state_scale, mass, stiffness (linear about the start), energy_floor (J), turned,
+## forms, auto, duration.
 ## @end deftypefn
 
 function system = surface_rod (scene)
@@ -26,8 +26,8 @@ function system = surface_rod (scene)
   system.points = scene.rod.length*x.';
   system.weights = scene.rod.length*weights.';
   r = scene.rod;
-  system.rod = {r.rhoA, r.EA, r.EI, r.EI_normal, r.GJ, scene.gravity};
-  system.rhoI = r.rhoI;
+  system.rod = r;
+  system.gravity = scene.gravity;
   inside = rod_basis (scene, system.place, system.points);
   ends = rod_basis (scene, system.place, [0; r.length]);
   system.fields = @(z, z_dot, z_ddot, stations) fields_at (rod_basis (scene, system.place, stations), z, z_dot, ...
@@ -78,18 +78,27 @@ endfunction
 ## alpha1, alpha2, their slopes, second derivatives, rates, second rates, slopes of the rates and of the second rates:
 ## a row a station, a column a time
 function fields = fields_at (b, z, z_dot, z_ddot)
-  fields = {b.start_values{1} + b.values{1}*z, b.start_values{2} + b.values{2}*z, ...
-            b.start_slopes{1} + b.slopes{1}*z, b.start_slopes{2} + b.slopes{2}*z, ...
-            b.start_seconds{1} + b.seconds{1}*z, b.start_seconds{2} + b.seconds{2}*z, ...
-            b.values{1}*z_dot, b.values{2}*z_dot, b.values{1}*z_ddot, b.values{2}*z_ddot, ...
-            b.slopes{1}*z_dot, b.slopes{2}*z_dot, b.slopes{1}*z_ddot, b.slopes{2}*z_ddot};
+  fields.alpha1 = b.start_values{1} + b.values{1}*z;
+  fields.alpha2 = b.start_values{2} + b.values{2}*z;
+  fields.alpha1_1 = b.start_slopes{1} + b.slopes{1}*z;
+  fields.alpha2_1 = b.start_slopes{2} + b.slopes{2}*z;
+  fields.alpha1_11 = b.start_seconds{1} + b.seconds{1}*z;
+  fields.alpha2_11 = b.start_seconds{2} + b.seconds{2}*z;
+  fields.alpha1_dot = b.values{1}*z_dot;
+  fields.alpha2_dot = b.values{2}*z_dot;
+  fields.alpha1_ddot = b.values{1}*z_ddot;
+  fields.alpha2_ddot = b.values{2}*z_ddot;
+  fields.alpha1_1_dot = b.slopes{1}*z_dot;
+  fields.alpha2_1_dot = b.slopes{2}*z_dot;
+  fields.alpha1_1_ddot = b.slopes{1}*z_ddot;
+  fields.alpha2_1_ddot = b.slopes{2}*z_ddot;
 endfunction
 
 function R = residual (t, z, z_dot, z_ddot, b, ends, system, scene)
   fields = fields_at (b, z, z_dot, z_ddot);
-  [d{1:6}] = system.surface.balance (fields{1:10}, system.rod{:});
+  [d{1:6}] = system.surface.balance (fields, system.rod, system.gravity);
   if (scene.rod.rhoI > 0)
-    [rotary{1:4}] = system.surface.rotary_balance (fields{[1:4, 7:8, 11:12, 9:10, 13:14]}, scene.rod.rhoI);
+    [rotary{1:4}] = system.surface.rotary_balance (fields, system.rod);
     d(1:4) = cellfun (@plus, d(1:4), rotary, "uniformoutput", false);
   endif
   w = system.weights;
@@ -105,19 +114,20 @@ function Q = load_of (t, z, ends, system, scene)
   force = repmat (at_times (scene.force, t), 1, often);
   both = repmat ([at_times(scene.moment, t); at_times(scene.tip_moment, t)], 1, often);
   none = zeros (1, m);
-  [d{1:4}] = system.surface.point_loads (f{1:4}, [none; force(1,:)], [none; force(2,:)], [none; force(3,:)], both);
+  [d{1:4}] = system.surface.point_loads (f, struct ("force_1", [none; force(1,:)], "force_2", [none; force(2,:)], ...
+                                             "force_3", [none; force(3,:)], "moment", both));
   Q = ends.values{1}.'*d{1} + ends.values{2}.'*d{2} + ends.slopes{1}.'*d{3} + ends.slopes{2}.'*d{4};
 endfunction
 
 function M = mass_matrix (z, b, system, rod)
   fields = fields_at (b, z, z, z);
-  [m_11, m_12, m_22] = system.surface.mass (fields{1:2}, rod.rhoA);
+  [m_11, m_12, m_22] = system.surface.mass (fields, rod);
   w = system.weights;
   M = b.values{1}.'*((w.*m_11).*b.values{1}) + b.values{2}.'*((w.*m_22).*b.values{2});
   mixed = b.values{1}.'*((w.*m_12).*b.values{2});
   M += mixed + mixed.';
   if (rod.rhoI > 0)
-    [per_rate{1:4}] = system.surface.turning (fields{1:4});
+    [per_rate{1:4}] = system.surface.turning (fields);
     A = per_rate{1}.*b.values{1} + per_rate{2}.*b.values{2} + per_rate{3}.*b.slopes{1} + per_rate{4}.*b.slopes{2};
     M += A.'*(rod.rhoI*w.*A);
   endif
@@ -136,7 +146,7 @@ function y_dot = rate (t, y, interval, system)
 endfunction
 
 function scale = lengths_per_coordinate (surface, fields)
-  [a_11, ~, a_22] = surface.mass (fields{1:2}, 1);
+  [a_11, ~, a_22] = surface.mass (fields, struct ("rhoA", 1));
   scale = sqrt ([max(a_11(:)), max(a_22(:))]);
 endfunction
 
