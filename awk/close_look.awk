@@ -1,4 +1,4 @@
-# The slow half of the size checks: a call of octave/messages/check_sizes.m with every argument.
+# The slow half of the size checks: a call of check_sizes.m, beside the function, with every argument.
 
 function put_close_look(    k)
 {

@@ -1,6 +1,6 @@
 # Size checks. They run in every call of a hot loop, where each call of a builtin counts, so few of them decide whether
 # all is well: size_equal for all arguments of one shape, then rows and columns of the first of each R-by-C shape.
-# Arrays of several sizes may still be right, scalars beside arrays: octave/messages/check_sizes.m looks closely.
+# Arrays of several sizes may still be right, scalars beside arrays: check_sizes.m looks closely.
 
 BEGIN {
   test_count = 0

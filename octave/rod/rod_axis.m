@@ -24,7 +24,8 @@ function axis = rod_axis (rod, panels, section = struct ("rhoA", 1, "rhoI", 0))
   [cosine, sine] = curved_rod_slopes (axis.theta, 0*axis.theta, 0*axis.theta);
   x = cosine*integral.';
   y = sine*integral.';
-  [axis.x, axis.y] = deal (x, y);
+  axis.x = x;
+  axis.y = y;
   [~, S_1, S_2] = curved_rod_constants (axis, section);
   axis.tilt = -atan2 (S_2*axis.weights.', S_1*axis.weights.');
   axis.theta += axis.tilt;

@@ -83,10 +83,10 @@ function [inputs, text] = function_of (file, name)
 endfunction
 
 %!test # from a generated function to the driver
-%! said = strsplit (evalc ("argument_way ('rod_rates', 'phi')"), "\n");
-%! assert (regexprep (said{1}, ':\d+', ""), "octave/kinds/rod/hinged_rod_rate.m rod_rates (phi): phi");
-%! assert (said{2}, "| phi = y(n+1,:);");
-%! assert (regexprep (said{3}, ':\d+', ""), "  octave/kinds/rod/hinged_rod.m hinged_rod_rate (y): y");
+%! said = strsplit (evalc ("argument_way ('rod_rates', 'motion')"), "\n");
+%! assert (regexprep (said{1}, ':\d+', ""), "octave/kinds/rod/hinged_rod_rate.m rod_rates (motion): motion");
+%! assert (said{3}, "| motion.phi = y(n+1,:);");
+%! assert (regexprep (said{6}, ':\d+', ""), "  octave/kinds/rod/hinged_rod.m hinged_rod_rate (y): y");
 %! assert (any (strncmp (strtrim (said), "octave/driver.m:", 16)));
 %!error <stays takes q, scale, tolerance: "x" is none of these> argument_way ("stays", "x")
 %!error <nothing in octave/ calls a function "nowhere"> argument_way ("nowhere", "x")

@@ -15,7 +15,9 @@ function K = geometric_stiffness (mechanism, q, F)
     loads = struct ("force_x", F.x(i).', "force_y", F.y(i).', "force_angle", F.angle(i).');
     [phi_phi, phi_V, shortening, slope_1_1, slope_1_2, slope_2_2] = rod_marker_tangent (
       motion, loads, group.marker);
-    [slope_1, slope_2, matrix] = deal (group.marker.slope_1, group.marker.slope_2, group.marker.shortening_matrix);
+    slope_1 = group.marker.slope_1;
+    slope_2 = group.marker.slope_2;
+    matrix = group.marker.shortening_matrix;
     cross = slope_1*slope_2.';
     for b = 1:bodies
       V_V = shortening(b)*matrix + slope_1_1(b)*(slope_1*slope_1.') + slope_1_2(b)*(cross + cross.') ...

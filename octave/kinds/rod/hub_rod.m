@@ -9,7 +9,8 @@ function system = hub_rod (scene, model)
   constants = rod_constants (scene, model);
   constants.rotation = watched_load ("rotation", scene.rotation);
   a = model.arrays;
-  [constants.rod.slope_1, constants.rod.slope_2] = deal (a.slope_1, a.slope_2);
+  constants.rod.slope_1 = a.slope_1;
+  constants.rod.slope_2 = a.slope_2;
 
   P = [eye(n); -a.slope_2.'];
   system.mass = P.'*[a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia]*P;

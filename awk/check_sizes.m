@@ -23,8 +23,3 @@ function check_sizes (caller, checked)
     endif
   endfor
 endfunction
-
-%!test # arrays of one size, a scalar for one of them
-%! check_sizes ("f", {"x", [1 2 3], []; "y", 4, []; "z", [5 6 7], []; "a", 8, [1, 1]; "M", eye(2), [2, 2]});
-%!error <f: rod\.M must be 2-by-2, not 3-by-1> check_sizes ("f", {"a", 8, [1, 1]; "rod.M", [1; 2; 3], [2, 2]})
-%!error <f: z must be 1-by-3, not 1-by-2> check_sizes ("f", {"x", [1 2 3], []; "y", 4, []; "z", [5 6], []})
