@@ -12,7 +12,7 @@ function job = draw_limits (curves, title, omega, scratch)
   text = gnuplot_settings (struct ("title", title, "methods", {methods}, "limits", {num2cell(limits)}, ...
                                    "omega", omega));
   for k = 1:numel (curves)
-    h_omega = linspace (0.02, 1.25*curves{k}.limit, 200).';
+    h_omega = linspace (0.02, 1.1*curves{k}.points(end,1), 200).';
     growth = arrayfun (@(x) predicted_growth (methods{k}, x), h_omega);
     text = [text, gnuplot_block(sprintf ("predicted_%d", k), {[h_omega, growth]}), ...
             gnuplot_block(sprintf ("measured_%d", k), {curves{k}.points(:,[1 3])})];

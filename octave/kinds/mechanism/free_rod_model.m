@@ -29,6 +29,7 @@ function model = free_rod_model (body, rung)
     arrays.mass += body.tip_mass;
   endif
   arrays.damping = body.rod.damping;
+  [arrays.slope_1, arrays.slope_2] = slopes_at_O (model.base, model.shortening);
   model.arrays = arrays;
   model.basis = eye (columns (arrays.mass_matrix));
   model.followers = [];

@@ -2,7 +2,7 @@
 ## @deftypefn {} {@var{history} =} measure_mechanism (@var{system}, @var{times}, @var{states})
 ## What is observed of a mechanism at the frame times: a struct of 1-by-m rows t, T, U, Z, W, D, balance (T + U + Z +
 ## D - W, constant), energy_floor (J), lambda (constraints-by-m), markers (x, y: markers-by-m), residual and velocity_residual (the
-## largest of all constraints, 1-by-m) and bodies (a struct array of phi, phi_dot, x, y, tip_x, tip_y (1-by-m),
+## largest of all constraints, 1-by-m) and bodies (a struct array of phi, phi_dot, psi, x, y, tip_x, tip_y (1-by-m),
 ## V (N-by-m) and V_names).
 ## @end deftypefn
 
@@ -24,6 +24,8 @@ function history = measure_mechanism (system, times, states)
     n = numel (index) - 3;
     q = states.q(index,:);
     body = struct ("phi", q(n+1,:), "phi_dot", states.v(index(n+1),:), "x", q(n+2,:), "y", q(n+3,:), "V", q(1:n,:));
+    [~, ~, undeformed] = undeformed_places (model.base, 0);
+    body.psi = rod_tangent_angle (struct ("phi", body.phi, "V", body.V), model.arrays) + undeformed;
     body.V_names = mode_names (model.base);
     [body.tip_x, body.tip_y] = body_centreline (model, model.length, body, 1);
     history.bodies(k) = body;

@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{names}, @var{table}] =} mechanism_columns (@var{scene}, @var{run})
 ## What history.csv has of a mechanism's @var{run} (see @code{measure_mechanism}): @var{names} with units and the
-## @var{table}, a row a name, a column a time.  Every body has x_1, y_1 (end O), phi_1, phi_dot_1, tip_x_1, tip_y_1,
-## V1_1_1 ...; every joint its point joint_x_1, joint_y_1 and multipliers lambda_1_1 ..., minus what it does to its first
-## body (N, or N m).
+## @var{table}, a row a name, a column a time.  Every body has x_1, y_1 (end O), phi_1, phi_dot_1, psi_1 (the tangent
+## there), tip_x_1, tip_y_1, V1_1_1 ...; every joint its point joint_x_1, joint_y_1 and multipliers lambda_1_1 ..., minus
+## what it does to its first body (N, or N m).
 ## @end deftypefn
 
 function [names, table] = mechanism_columns (scene, run)
@@ -12,10 +12,10 @@ function [names, table] = mechanism_columns (scene, run)
   table = history.t;
   for k = 1:numel (history.bodies)
     body = history.bodies(k);
-    own = {"x_%d [m]", "y_%d [m]", "phi_%d [rad]", "phi_dot_%d [rad/s]", "tip_x_%d [m]", "tip_y_%d [m]"};
+    own = {"x_%d [m]", "y_%d [m]", "phi_%d [rad]", "phi_dot_%d [rad/s]", "psi_%d [rad]", "tip_x_%d [m]", "tip_y_%d [m]"};
     own = [own, strcat(body.V_names, {"_%d [m]"})];
     names = [names, cellfun(@(name) sprintf (name, k), own, "uniformoutput", false)];
-    table = [table; body.x; body.y; body.phi; body.phi_dot; body.tip_x; body.tip_y; body.V];
+    table = [table; body.x; body.y; body.phi; body.phi_dot; body.psi; body.tip_x; body.tip_y; body.V];
   endfor
   for j = 1:numel (scene.joints)
     marker = model.marker_of(j,1);

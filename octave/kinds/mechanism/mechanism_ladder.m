@@ -22,7 +22,7 @@ function ladder = mechanism_ladder (scene)
   ladder.left_out = @(reference, rung, part) left_out_of (reference, rung, part, open);
   ladder.poorer = @(rung, reference) clearly_fewer ([rung.bending, rung.longitudinal], ...
                                                     [reference.bending, reference.longitudinal]);
-  ladder.label = @(rung) sprintf ("%d+%d", max (rung.longitudinal), max (rung.bending));
+  ladder.label = @label_of;
   ladder.solver = setfield (scene.solver, "name", "auto");
   ladder.name = @name_of;
 endfunction
@@ -95,6 +95,14 @@ function name = name_of (rung)
   name = ["bending modes " numbers_text(rung.bending)];
   if (any (rung.longitudinal))
     name = [name ", longitudinal " numbers_text(rung.longitudinal)];
+  endif
+endfunction
+
+## the most of each kind that a body has
+function label = label_of (rung)
+  label = sprintf ("%d", max (rung.bending));
+  if (any (rung.longitudinal))
+    label = sprintf ("%s+%d", label, max (rung.longitudinal));
   endif
 endfunction
 

@@ -15,7 +15,7 @@ function ladder = curved_ladder (scene)
   ladder.smaller = @(rung, part) curved_rung (max (rung.sines - ((1:2) == part), least));
   ladder.left_out = @(reference, rung, part) left_out (reference.model, reference.history.V, part, rung.sines(part));
   ladder.poorer = @(rung, reference) clearly_fewer (rung.sines, reference.sines);
-  ladder.label = @(rung) sprintf ("%d+%d", rung.sines);
+  ladder.label = @(rung) rung_label (setfield (rung, "sines", []));
   ladder.solver = setfield (setfield (scene.solver, "name", "auto"), "tolerance", scene.solver.tolerance/5);
   ladder.name = @(rung) strrep (rung_name (rung), "sines", "base functions");
 endfunction

@@ -1,0 +1,43 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{warnings} =} body_warnings (@var{scene}, @var{run})
+## Where the bodies of a mechanism's @var{run} leave what their models hold for, a cellstr that names them: slopes,
+## strains, and rates of rotation without foreshortening (see @code{spin_warning}).
+## @end deftypefn
+
+function warnings = body_warnings (scene, run)
+  warnings = {};
+  for k = 1:numel (run.history.bodies)
+    body = scene.bodies(k);
+    model = run.model.models{k};
+    history = run.history.bodies(k);
+    [along, across] = functions_at (model.base, linspace (0, model.length, 21).', 1);
+    slope = max ([0; abs(across*history.V)(:)]);
+    if (slope > 0.3)
+      warnings{end+1} = sprintf (["%s bends to a slope of %.2g: the model holds below some 0.3; take it as several" ...
+                                  " rods welded together"], body.name, slope);
+    endif
+    strain = max ([0; abs(along*history.V)(:)]);
+    if (strain > 0.01)
+      warnings{end+1} = sprintf (["%s is strained by %.2g, linear elasticity holds for small strains: take smaller" ...
+                                  " loads"], body.name, strain);
+    endif
+    spin = spin_warning (body, model, max (abs (history.phi_dot)));
+    warnings = [warnings, strcat(body.name, {": "}, spin)];
+  endfor
+endfunction
+
+%!test # a rod that bends too far is named
+%! [system, start, scene] = sample_mechanism ([0 1]);
+%! start.q(index_of (system.mechanism, 2)(1)) = 0.1;
+%! run.model = system.mechanism;
+%! run.history = measure_mechanism (system, 0, first_states (system, 0, start));
+%! assert (! isempty (regexp (body_warnings (scene, run){1}, "body 2 bends to a slope of 0.63")));
+%!test # a rod that turns faster than it keeps its stiffness, and is stretched by it
+%! scene.bodies = {struct("rod", struct ("length", 1, "EA", 1e3, "EI", 1, "rhoA", 1), "initial", struct ("phi_dot", 8), ...
+%!                        "model", struct ("modes", [1 1], "energy", "uniaxial"))};
+%! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
+%! [scene.duration, scene.gravity, scene.solver.tolerance] = deal (0.05, 0, 1e-4);
+%! warnings = driver (scene, "output", "").summary.warnings;
+%! said = @(text) any (! cellfun (@isempty, regexp (warnings, text)));
+%! assert (said ("^body 1: phi_dot reaches 8 rad/s, .* first frequency is 9.87 rad/s: without foreshortening"));
+%! assert (said ("^body 1 is strained by 0.0[2-9]"));
