@@ -28,9 +28,9 @@ function system = surface_rod (scene)
   r = scene.rod;
   system.rod = r;
   system.gravity = scene.gravity;
-  inside = rod_basis (scene, system.place, system.points);
-  ends = rod_basis (scene, system.place, [0; r.length]);
-  system.fields = @(z, z_dot, z_ddot, stations) fields_at (rod_basis (scene, system.place, stations), z, z_dot, ...
+  inside = surface_basis (scene, system.place, system.points);
+  ends = surface_basis (scene, system.place, [0; r.length]);
+  system.fields = @(z, z_dot, z_ddot, stations) fields_of_basis (surface_basis (scene, system.place, stations), z, z_dot, ...
                                                            z_ddot);
   system.residual = @(t, z, z_dot, z_ddot) residual (t, z, z_dot, z_ddot, inside, ends, system, scene);
   system.power = @(t, z, z_dot) sum (z_dot.*load_of (t, z, ends, system, scene), 1);
@@ -44,7 +44,7 @@ function system = surface_rod (scene)
   start = zeros (system.n, 1);
   velocity = system.place.basis.'*system.place.velocity;
   system.refuse_singular (start, "at the start");
-  scale = lengths_per_coordinate (surface, fields_at (inside, start, velocity, start));
+  scale = lengths_per_coordinate (surface, fields_of_basis (inside, start, velocity, start));
   system.size = @(z) max (max (abs (inside.values{1}*z)*scale(1), abs (inside.values{2}*z)*scale(2))(:));
   system.mass = system.mass_matrix (start);
   system.stiffness = system.tangent_stiffness (0, start, velocity, start);
@@ -61,41 +61,8 @@ function system = surface_rod (scene)
   system.energy_rows = numel (system.initial_state);
 endfunction
 
-function base = rod_basis (scene, place, stations)
-  base.stations = stations;
-  last = 0;
-  for i = 1:2
-    [base.values{i}, base.slopes{i}, base.seconds{i}] = rod_functions (scene.model, i, stations, scene.rod.length);
-    part = last + (1:columns (base.values{i}));
-    last = part(end);
-    for kind = {"values", "slopes", "seconds"}
-      base.(["start_" kind{1}]){i} = base.(kind{1}){i}*place.start(part);
-      base.(kind{1}){i} *= place.basis(part,:);
-    endfor
-  endfor
-endfunction
-
-## alpha1, alpha2, their slopes, second derivatives, rates, second rates, slopes of the rates and of the second rates:
-## a row a station, a column a time
-function fields = fields_at (b, z, z_dot, z_ddot)
-  fields.alpha1 = b.start_values{1} + b.values{1}*z;
-  fields.alpha2 = b.start_values{2} + b.values{2}*z;
-  fields.alpha1_1 = b.start_slopes{1} + b.slopes{1}*z;
-  fields.alpha2_1 = b.start_slopes{2} + b.slopes{2}*z;
-  fields.alpha1_11 = b.start_seconds{1} + b.seconds{1}*z;
-  fields.alpha2_11 = b.start_seconds{2} + b.seconds{2}*z;
-  fields.alpha1_dot = b.values{1}*z_dot;
-  fields.alpha2_dot = b.values{2}*z_dot;
-  fields.alpha1_ddot = b.values{1}*z_ddot;
-  fields.alpha2_ddot = b.values{2}*z_ddot;
-  fields.alpha1_1_dot = b.slopes{1}*z_dot;
-  fields.alpha2_1_dot = b.slopes{2}*z_dot;
-  fields.alpha1_1_ddot = b.slopes{1}*z_ddot;
-  fields.alpha2_1_ddot = b.slopes{2}*z_ddot;
-endfunction
-
 function R = residual (t, z, z_dot, z_ddot, b, ends, system, scene)
-  fields = fields_at (b, z, z_dot, z_ddot);
+  fields = fields_of_basis (b, z, z_dot, z_ddot);
   [d{1:6}] = system.surface.balance (fields, system.rod, system.gravity);
   if (scene.rod.rhoI > 0)
     [rotary{1:4}] = system.surface.rotary_balance (fields, system.rod);
@@ -109,7 +76,7 @@ endfunction
 ## generalized forces of the loads at both ends
 function Q = load_of (t, z, ends, system, scene)
   m = columns (z);
-  f = fields_at (ends, z, z, z);
+  f = fields_of_basis (ends, z, z, z);
   often = m/numel (t);
   force = repmat (at_times (scene.force, t), 1, often);
   both = repmat ([at_times(scene.moment, t); at_times(scene.tip_moment, t)], 1, often);
@@ -120,7 +87,7 @@ function Q = load_of (t, z, ends, system, scene)
 endfunction
 
 function M = mass_matrix (z, b, system, rod)
-  fields = fields_at (b, z, z, z);
+  fields = fields_of_basis (b, z, z, z);
   [m_11, m_12, m_22] = system.surface.mass (fields, rod);
   w = system.weights;
   M = b.values{1}.'*((w.*m_11).*b.values{1}) + b.values{2}.'*((w.*m_22).*b.values{2});

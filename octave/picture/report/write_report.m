@@ -64,32 +64,6 @@ function html = warning_list (summary)
   endif
 endfunction
 
-function html = model_text (summary)
-  reason = field_or (summary, "model_reason", "");
-  if (! isempty (reason))
-    reason = [": " reason];
-  endif
-  html = ["<p><strong>" html_escape(field_or (summary, "model", "")) "</strong>" html_escape(reason) ".</p>\n"];
-  tried = field_or (summary, "tried", []);
-  if (! isempty (tried))
-    names = fieldnames (tried).';
-    cells = struct2cell (tried(:)).';
-    texts = ! cellfun (@(value) isnumeric (value) && isscalar (value), cells);
-    cells(texts) = cellfun (@value_text, cells(texts), "UniformOutput", false);
-    chosen = [];
-    if (isfield (tried, "name"))
-      chosen = find (strcmp ({tried.name}, summary.model), 1);
-    endif
-    html = [html, html_table(names, cells, chosen)];
-  endif
-endfunction
-
-function value = field_or (given, name, value)
-  if (isfield (given, name))
-    value = given.(name);
-  endif
-endfunction
-
 function given = without (given, names)
   given = rmfield (given, intersect (names, fieldnames (given)));
 endfunction
