@@ -1,0 +1,155 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{text} =} feature_table ()
+## What a scene of each kind can have, as README.md's table in Markdown.
+##
+## A cell says yes where the kind takes the small scene of tests/pairs/ with that feature, up to its system of
+## equations, and "not yet", or the reason why not, where an error names the feature.  Nothing here says so otherwise:
+## a reason beside what is taken is an error.
+## @end deftypefn
+
+function text = feature_table ()
+  scenes = base_scenes ();
+  text = "| | one straight rod | one curved rod | mechanism | rod on a surface |\n|---|---|---|---|---|\n";
+  for feature = feature_rows ().'
+    cells = cell (1, 4);
+    for k = 1:4
+      cells{k} = cell_of (scenes{k}, feature{2 + max (k - 2, 0)}, feature{5}{k});
+    endfor
+    text = [text, table_row(feature{1}, cells)];
+  endfor
+  text = [text, rows_of_forms(scenes), rows_of_runs(scenes)];
+endfunction
+
+function scenes = base_scenes ()
+  rod = rod_choices ();
+  scenes = {rod, setfield(rod, "rod", "curvature", [2 -1]), mechanism_choices(), surface_choices()};
+endfunction
+
+function text = cell_of (scene, change, reason)
+  text = reason;
+  if (isempty (change))
+    return;
+  endif
+  refusal = refusal_of (changed (scene, change));
+  if (! isempty (refusal))
+    assert (! isempty (strfind (refusal, named (change))), "%s", refusal);
+    if (isempty (reason))
+      text = "not yet";
+    endif
+  elseif (! isempty (reason))
+    error ("feature_table: %s is taken, and has a reason why not: %s", named (change), reason);
+  else
+    text = "yes";
+    curved = @(scene) changed (scene, {"rod.curvature", -1});
+    if (isfield (scene, "bodies") && ! isempty (refusal_of (curved (changed (scene, change)))))
+      text = "yes, on straight rods";
+    endif
+  endif
+endfunction
+
+## what the scene's check or its system says against it; empty where it is taken
+function said = refusal_of (scene)
+  said = "";
+  try
+    [~, ~, ~, system] = built (scene);
+  catch err
+    if (! strcmp (err.identifier, "toolchain:scene"))
+      rethrow (err);
+    endif
+    said = err.message;
+  end_try_catch
+endfunction
+
+## with the first rung of the ladder where the number of modes is to be chosen
+function [kind, scene, model, system] = built (scene)
+  kind = kind_of (scene);
+  scene = kind.check (scene);
+  rung = kind.stated (scene);
+  if (isempty (rung))
+    ladder = kind.ladder (scene);
+    [rung, ~] = ladder.first ();
+  endif
+  model = kind.build (scene, rung);
+  system = kind.system (scene, model);
+endfunction
+
+function name = named (change)
+  name = "joints";
+  if (iscell (change))
+    name = change{1};
+  endif
+endfunction
+
+function scene = changed (scene, change)
+  if (isstruct (change))
+    scene.joints{end+1} = change;
+  elseif (isfield (scene, "bodies"))
+    scene.bodies{2} = changed (scene.bodies{2}, change);
+  else
+    for pair = reshape (change, 2, [])
+      scene = setfield (scene, strsplit (pair{1}, "."){:}, pair{2});
+    endfor
+  endif
+endfunction
+
+## integrators by the form of the equations that they take
+function text = rows_of_forms (scenes)
+  [~, ~, ~, in_hub] = built (changed (scenes{1}, {"rotation", @(t) [0 0 0]}));
+  joints = "joints are constraints";
+  reasons = struct ("oscillators", {{"", "", joints, "its frequencies change with its place"}}, ...
+                    "rate", {{"", "", joints, ""}}, "momenta", {{"", "", joints, ""}}, ...
+                    "accelerations", {{"", "", joints, ""}}, "residual", {{"", "", joints, ""}}, ...
+                    "constrained", {{"it has no joints", "it has no joints", "", "it has no joints"}});
+  text = "";
+  for form = unique ({integrator_table().form}, "stable")
+    cells = reasons.(form{1});
+    cells(cellfun (@isempty, cells)) = {"not yet"};
+    for k = 1:4
+      [~, ~, ~, system] = built (scenes{k});
+      if (ismember (form{1}, system.forms))
+        assert (! isfield (reasons, form{1}) || isempty (reasons.(form{1}){k}));
+        cells{k} = "yes";
+        if (k == 1 && isfield (system, form{1}) && ! isfield (in_hub, form{1}))
+          cells{k} = "yes, not in a hub";
+        endif
+      endif
+    endfor
+    text = [text, table_row(["`" strjoin({integrator_table(form).name}, "`, `") "`"], cells)];
+  endfor
+endfunction
+
+## what runs and studies have to show, of a run of 10 ms
+function text = rows_of_runs (scenes)
+  for k = 1:4
+    [kind, scene, model, system] = built (setfield (scenes{k}, "duration", 0.01));
+    run = run_model (kind, scene, model);
+    rungs = kind.rungs (scene, kind.stated (scene), kind.far_richer (scene, model));
+    has(:,k) = [! isempty(kind.sized (scene, 8)) && rows(kind.references) == 2
+                numel(rungs) > 1
+                any(ismember (system.forms, {"rate", "constrained"}))
+                isfield(kind.drawing (scene, run), "spectrum")
+                iscellstr(kind.warnings (scene, run))
+                ! isempty(kind.dropped (scene, run, run))];
+  endfor
+  names = {"`make chart`", "`make models`", "`make stability`", "spectra of the tip", ...
+           "warnings where the model does not hold", "what all its models drop, in the estimated error"};
+  cells = repmat ({"not yet"}, size (has));
+  cells(has) = {"yes"};
+  cells{6,4} = "it drops nothing";
+  text = "";
+  for j = 1:numel (names)
+    text = [text, table_row(names{j}, cells(j,:))];
+  endfor
+endfunction
+
+function text = table_row (name, cells)
+  text = sprintf ("| %s |%s\n", name, sprintf (" %s |", cells{:}));
+endfunction
+
+%!test # README.md has it as the code has it
+%! text = feature_table ();
+%! readme = fileread (fullfile (fileparts (fileparts (which ("driver"))), "README.md"));
+%! how = "octave --eval 'source octave/toolchain_path.m; addpath tests/octave tests/pairs; puts (feature_table ());'";
+%! other = strjoin (setdiff (strsplit (text, "\n"), strsplit (readme, "\n")), "\n");
+%! assert (! isempty (strfind (readme, ["\n\n" text "\n"])), ...
+%!         "README.md has not these rows:\n%s\nprint all by %s", other, how);
