@@ -7,7 +7,7 @@
 
 function scene = check_mechanism (given)
   [fields, of_body, of_joint] = mechanism_fields ();
-  scene = take_fields (same_modes (without_probed (given)), fields, "a scene of bodies");
+  scene = take_fields (same_modes (as_bodies (without_probed (given))), fields, "a scene of bodies");
   refuse_missing_solver (scene.solver.name, "radau");
   scene.bodies = checked_list (scene.bodies, of_body, "bodies", @check_body);
   scene.joints = checked_list (scene.joints, of_joint, "joints", @(joint, what) check_joint (joint, what, scene));

@@ -1,11 +1,11 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{kind} =} mechanism_kind ()
-## Several bodies, held by joints, among the kinds of scenes (see @code{kind_of}).
+## Several bodies, held by joints, or one rod that has joints, among the kinds of scenes (see @code{kind_of}).
 ## @end deftypefn
 
 function kind = mechanism_kind ()
   kind.name = "mechanism";
-  kind.has = @(given) isfield (given, "bodies");
+  kind.has = @(given) isfield (given, "bodies") || (isfield (given, "joints") && ! isfield (given, "surface"));
   kind.check = @check_mechanism;
   kind.pixel = @(scene) plane_pixel (scene, max (arrayfun (@(body) body.rod.length, scene.bodies)));
   kind.stated = @stated_rung;
