@@ -13,7 +13,7 @@ marks(name, n, type, colour, text) = n == 0 ? "" : \
       name, colour)
 ring = chosen == 0 ? "" : ", $chosen using 1:2 with points pt 6 ps 3 lw 2 lc rgb ink title 'chosen'"
 everything = "plot tolerance with lines lc rgb light dt 2 title 'tolerance'". \
-  marks("without", without, 6, 2, "no foreshortening").marks("shortened", shortened, 7, 1, "with foreshortening"). \
+  marks("without", without, 6, 2, shortened ? "no foreshortening" : "rungs").marks("shortened", shortened, 7, 1, "with foreshortening"). \
   marks("ode45", ode45, 5, 4, "ode45").ring
 
 do for [kind in "svg png"] {
@@ -21,7 +21,7 @@ do for [kind in "svg png"] {
   if (kind eq "png") { set terminal pngcairo size 2000,1400 font "sans-serif,12" fontscale 2 linewidth 2 }
   set label 1 title at screen 0.5,0.965 center noenhanced font \
       sprintf("sans-serif,%g", title_size*(kind eq "svg" ? 1 : 0.8))
-  set label 2 "labels: bending modes; q: longitudinal ones follow quasi-statically; +n: n longitudinal ones" \
+  set label 2 "labels: bending modes, or polynomials; q: longitudinal ones follow quasi-statically; +n: n longitudinal ones" \
     at graph 0.02,0.04 font sprintf("sans-serif,%d", kind eq "svg" ? 13 : 10) textcolor rgb "#606060"
   set tmargin at screen 0.92
   set bmargin at screen 0.17
