@@ -5,8 +5,10 @@
 ## @var{solver}.step (s) where the method's steps are equal; "auto" is system.auto.  What takes longer than
 ## @var{solver}.seconds, where there is such a field, is given up: an error.
 ##
-## A system has initial_state, breaks (times in s at which its loads jump), state_scale (what each state may be off by
-## where a point is off by 1 m), mass, the forms of equations (a cellstr) and for each form its functions.
+## A system has initial_state (its coordinates first), duration (s), breaks (times in s at which its loads jump),
+## state_scale (what each state may be off by where a point is off by 1 m), mass and stiffness (of its coordinates, linear
+## about the start: for what is said of its frequencies), the forms of equations (a cellstr), auto (the method of a
+## solver "auto") and for each form its functions: for "rate" the function rate (t, y, interval), a column a state.
 ##
 ## Every interval between two breaks is integrated for itself, so that no step runs across a break; loads are taken from
 ## inside it, since they jump at its ends.
@@ -68,7 +70,7 @@ function method = method_of (system, name)
 endfunction
 
 %!function system = pushed_mass ()   # x'' = 1 until t = 1, then 0
-%!  system = struct ("initial_state", [0; 0], "breaks", 1, "state_scale", [1; 1], "turned", false, ...
+%!  system = struct ("initial_state", [0; 0], "breaks", 1, "state_scale", [1; 1], ...
 %!                   "longest_step", Inf, "mass", 1, "stiffness", 0, "velocity_matrix", 1, "forms", {{"rate"}});
 %!  system.rate = @(t, y, interval) [y(2); interval(2) < 1];
 %!endfunction

@@ -7,7 +7,7 @@
 
 function ode = state_space (system, correction = @(constraints) 0)
   n = system.n;
-  ode = struct ("mass", system.mass, "stiffness", system.stiffness, "duration", system.duration, "turned", false, ...
+  ode = struct ("mass", system.mass, "stiffness", system.stiffness, "duration", system.duration, ...
                 "constrained", system);
   energy = 1;
   ode.state_scale = [system.q_scale; system.q_scale/(0.1*system.duration); energy; energy];

@@ -10,7 +10,7 @@
 ## z_ddot), refuse_singular (z, when), size (z), the largest displacement (m) that goes with a small change of z,
 ## fields (z, z_dot, z_ddot, stations) = place, as the surface's functions take it, at stations of the rod, surface,
 ## rod and gravity (likewise), points and weights (p-by-1, m, of the quadrature), breaks, state_scale, mass, stiffness
-## (linear about the start), energy_floor (J), turned, forms, auto, duration.
+## (linear about the start), energy_floor (J), forms, auto, duration.
 ## @end deftypefn
 
 function system = surface_rod (scene)
@@ -54,7 +54,6 @@ function system = surface_rod (scene)
                         r.rhoA*r.length*abs(scene.gravity) + r.EI/r.length^2];
   system.breaks = scene.moment_breaks;
   system.duration = scene.duration;
-  system.turned = false;
   system.forms = {"rate", "residual"};
   system.auto = "gauss";
   system.warnings = {};
