@@ -5,25 +5,30 @@
 ##
 ## @table @code
 ## @item name
-## "rod", "mechanism" or "surface"
+## as the summary has it: "rod", "mechanism" or "surface"
 ## @item has (given)
 ## whether a scene is of this kind
 ## @item check (given)
-## the scene with all its fields, or an error; its tolerance is in metres, probed its loads
+## the scene with all its fields, or an error: title, duration, frames_per_second, frame_size, model.modes ("auto" or a
+## rung in numbers), solver.name, solver.step, solver.tolerance, in metres, probed, its loads (see @code{load_breaks}),
+## and its own
 ## @item pixel (scene)
 ## metres of a drawn pixel
 ## @item stated (scene)
 ## [rung, note]: the rung of the ladder that the scene states, empty where it is to be chosen, and what to say of it
 ## @item ladder (scene)
-## what @code{choose} takes, and the solver of its trials (see @code{ladder_of})
+## what @code{choose} takes, the solver of its trials (see @code{ladder_of}), and for a chart label (rung), labels, a
+## text of what those are, and curve (rung), the name of the rung's curve
 ## @item far_richer (scene, model)
 ## a rung far above a model's
 ## @item build (scene, rung)
 ## the model
 ## @item system (scene, model)
-## what @code{integrate} takes, with warnings (a cellstr) and energy_rows (those of work and dissipated energy)
+## what @code{integrate} takes, with warnings (a cellstr) and energy_rows (those of work and dissipated energy, [] for
+## none)
 ## @item observe (scene, model, system, times, states)
-## history and points of a run (see @code{run_model}), and what else the kind has
+## history and points of a run (see @code{run_model}), and what else the kind has; history.residual is a drift of
+## constraints
 ## @item tighter (solver, off)
 ## the solver for a smaller energy balance than @var{off} (see @code{balanced_run})
 ## @item dropped (scene, run, reference)
@@ -47,7 +52,7 @@
 ## @item literal (scene)
 ## the rung of the paper's sines, 7 + 7, or empty
 ## @item sized (scene, n)
-## the rung of so many modes or polynomials of each sort, empty where there is none
+## the rung of size n, so many modes, polynomials or elements of each sort, empty where there is none
 ## @item references
 ## two methods and tolerances (m) that should agree: rows of a cell array
 ## @end table

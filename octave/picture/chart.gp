@@ -68,7 +68,7 @@ do for [kind in "svg png"] {
   set key default
   set key top left reverse Left
   set format x "%g"
-  set xlabel "modes of each sort"
+  set xlabel "N, size of the model"
   set ylabel "s per simulated s"
   plot $cost using 1:2 with linespoints pt 7 lw 2 lc rgb "#1f77b4" title "solver auto", \
       cost_first_high*(x/cost_first_low)**2 with lines dt 2 lc rgb "#606060" title "N²"

@@ -16,7 +16,7 @@
 ## @code{try_rung}) and name (rung).
 ##
 ## @var{choice}: trial (the chosen one), reference (what it is compared with), rung, error_m (their distance), reason
-## (a sentence), tried (a struct array of rung, name, error_m, seconds, calls, message) and warnings (cellstr).
+## (a sentence), tried (a struct array of rung, name, error_m, seconds, calls, message, chosen) and warnings (cellstr).
 ## @end deftypefn
 
 function choice = choose (ladder, tolerance)
@@ -45,7 +45,7 @@ function choice = choose (ladder, tolerance)
   endif
   choice = struct ("trial", trial, "reference", reference, "rung", trial.rung, ...
                    "error_m", distance (trial, reference), "reason", reason, "warnings", {warnings});
-  choice.tried = cellfun (@(trial) entry (ladder, trial, reference), trials);
+  choice.tried = cellfun (@(trial) entry (ladder, trial, reference, choice.rung), trials);
 endfunction
 
 ## the last reference that could be run, and the best of the others that is clearly poorer, or else any
@@ -69,9 +69,10 @@ function [trial, next] = richest (ladder, references, trials)
   endif
 endfunction
 
-function row = entry (ladder, trial, reference)
+function row = entry (ladder, trial, reference, chosen)
   row = struct ("rung", trial.rung, "name", ladder.name (trial.rung), "error_m", distance (trial, reference), ...
-                "seconds", trial.seconds, "calls", trial.count.calls, "message", trial.error);
+                "seconds", trial.seconds, "calls", trial.count.calls, "message", trial.error, ...
+                "chosen", isequal (trial.rung, chosen));
 endfunction
 
 %!function ladder = series (amplitudes, least = 0)   # the motion is a sum, a rung its number of terms
@@ -96,7 +97,7 @@ endfunction
 %! assert (choice.rung, 3); assert (choice.error_m, 0.1^3*1.111, 1e-6);
 %! assert (choice.warnings, {});
 %! assert (choice.reason, "they fall; the smallest within 0.0011 m of 8 terms");
-%! assert (sort ([choice.tried.rung]), [3 4 8]);
+%! assert (sort ([choice.tried.rung]), [3 4 8]); assert ([choice.tried([choice.tried.chosen]).rung], 3);
 %!test # where as much is needed as the reference has, the reference is the next guess
 %! choice = choose (series (0.5.^(0:19)), 1e-3);
 %! assert (choice.rung, 12); assert (sort ([choice.tried.rung]), [4 10 11 12 20]);

@@ -1,21 +1,23 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{job} =} draw_ladder (@var{table}, @var{scene}, @var{scratch})
+## @deftypefn {} {@var{job} =} draw_ladder (@var{table}, @var{labels}, @var{scene}, @var{scratch})
 ## The @var{table} of @code{model_ladder} as a chart, models.svg and models.png beside the folder @var{scratch}, which
-## takes the data.  They are there when @var{job} has ended (see @code{finish_tool}).
+## takes the data; @var{labels} (a text) says what the labels are.  They are there when @var{job} has ended (see
+## @code{finish_tool}).
 ## @end deftypefn
 
-function job = draw_ladder (table, scene, scratch)
+function job = draw_ladder (table, labels, scene, scratch)
   drawn = spaced_labels (table(isfinite ([table.error_m]) & [table.error_m] > 0));
   ode45 = strcmp ({drawn.method}, "ode45");
-  shortened = [drawn.shortened] & ! ode45;
-  selected = struct ("without", ! shortened & ! ode45, "shortened", shortened, "ode45", ode45, ...
-                     "chosen", [drawn.chosen]);
-  settings = struct ("title", ["Ladder of models: " scene.title], "tolerance", scene.solver.tolerance);
+  settings = struct ("title", ["Ladder of models: " scene.title], "tolerance", scene.solver.tolerance, ...
+                     "labels", labels, "curves", {fliplr(unique ({table.curve}))}, "ode45", sum (ode45), ...
+                     "chosen", sum ([drawn.chosen]));
   settings.title_size = min (18, 1300/numel (settings.title));
-  blocks = "";
-  for name = {"without", "shortened", "ode45", "chosen"}
-    settings.(name{1}) = sum (selected.(name{1}));
-    blocks = [blocks, points(name{1}, drawn(selected.(name{1})))];
+  settings.counts = {};
+  blocks = [points("ode45", drawn(ode45)), points("chosen", drawn([drawn.chosen]))];
+  for k = 1:numel (settings.curves)
+    of_curve = strcmp ({drawn.curve}, settings.curves{k}) & ! ode45;
+    settings.counts{k} = sum (of_curve);
+    blocks = [blocks, points(sprintf ("curve_%d", k), drawn(of_curve))];
   endfor
   write_text (fullfile (scratch, "settings.gp"), [gnuplot_settings(settings), blocks]);
   job = start_gnuplot (scratch, "models.gp");
@@ -33,9 +35,9 @@ endfunction
 %! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
 %! unwind_protect
 %!   row = struct ("method", "exponential", "error_m", 1e-3, "seconds", 2, "label", "3", ...
-%!                 "shortened", true, "chosen", true);
+%!                 "curve", {"no foreshortening", "with foreshortening"}, "chosen", {false, true});
 %!   scene = struct ("title", "it's a \"rod\" {1}", "solver", struct ("tolerance", 1e-2));
-%!   draw = {@(scratch) draw_ladder(row, scene, scratch)};
+%!   draw = {@(scratch) draw_ladder(row, "it's a number", scene, scratch)};
 %!   assert (draw_files (folder, draw, {"models.svg", "models.png"}), cell (0, 2));
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");

@@ -5,23 +5,23 @@
 ## its own error is its distance from the far richer model.  Arguments as for @code{driver}; modes are chosen.
 ##
 ## Leaves models.csv, models.svg and models.png in the folder of the scene's output.  @var{table} is a struct array of
-## model, method, error_m, seconds, calls, label (in the chart), shortened, chosen and extrapolated.  The rungs are
+## model, method, error_m, seconds, calls, label and curve (in the chart), chosen and extrapolated.  The rungs are
 ## integrated as `auto' would; the chosen one, and the paper's 7 + 7 sines, by `ode45' too, where that is a method for the
 ## scene: what would take more than 20 s is extrapolated from a part of the duration, with its error there.
 ## @end deftypefn
 
 function table = model_ladder (scene = "paper", varargin)
   [scene, kind, output] = study_scene (scene, [varargin, {"modes", "auto"}]);
-  found = measure_all (kind, scene);
+  ladder = ladder_of (kind, scene);
+  found = measure_all (kind, scene, ladder);
   publish_study (output, {"models.csv"}, {"models.svg", "models.png"}, @(aside) write_ladder (found, aside), ...
-                 @(scratch) draw_ladder (found, scene, scratch));
+                 @(scratch) draw_ladder (found, ladder.labels, scene, scratch));
   if (nargout > 0)
     table = found;
   endif
 endfunction
 
-function table = measure_all (kind, scene)
-  ladder = ladder_of (kind, scene);
+function table = measure_all (kind, scene, ladder)
   choice = choose (ladder, scene.solver.tolerance);
   rich = kind.far_richer (scene, choice.trial.model);
   fine = setfield (scene, "solver", "tolerance", scene.solver.tolerance/20);

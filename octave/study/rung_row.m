@@ -7,11 +7,8 @@
 
 function row = rung_row (ladder, rung, count, error_m, chosen)
   row = struct ("model", ladder.name (rung), "method", count.method, "error_m", error_m, "seconds", count.seconds, ...
-                "calls", count.calls, "label", ladder.label (rung), "shortened", false, ...
+                "calls", count.calls, "label", ladder.label (rung), "curve", ladder.curve (rung), ...
                 "chosen", isequal (rung, chosen), "extrapolated", false);
-  if (isfield (rung, "stiffening"))
-    row.shortened = strcmp (rung.stiffening, "foreshortening");
-  endif
   mark = "";
   if (row.chosen)
     mark = " <-";
@@ -22,7 +19,7 @@ function row = rung_row (ladder, rung, count, error_m, chosen)
 endfunction
 
 %!test
-%! ladder = struct ("name", @(rung) "one", "label", @(rung) "1");
+%! ladder = struct ("name", @(rung) "one", "label", @(rung) "1", "curve", @(rung) "rungs");
 %! count = struct ("method", "rk4", "seconds", 2, "calls", 8);
 %! said = evalc ("row = rung_row (ladder, 3, count, 1e-3, 3);");
-%! assert (row.chosen && ! row.shortened); assert (said(end-3:end), " <-\n");
+%! assert (row.chosen && strcmp (row.curve, "rungs")); assert (said(end-3:end), " <-\n");

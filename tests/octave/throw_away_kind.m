@@ -1,5 +1,5 @@
-## Is the table of kinds enough?  A point mass on an elastic string, a kind of one folder (tests/samples/string) and one
-## row, has its run with film and report, its ladder of models, its chart and its limits of stability, and they are right.
+## Is the table of kinds enough?  A point mass on an elastic string, a kind of one folder (tests/samples/string) and
+## one row, has its run with film and report, its ladder of models, its chart and its limits of stability.
 
 %!function scene = spring_pendulum (varargin)
 %!  scene = struct ("string", struct ("length", 1, "stiffness", 1e3, "mass", 1), "duration", 0.5, ...
@@ -34,6 +34,9 @@
 %!  table = csvread (fullfile (folder, "history.csv"), 1, 0);
 %!  assert (size (table), [11 8]);
 %!  assert (table(:,3), result.y(end,:).');
+%!  report = fileread (fullfile (folder, "report.html"));
+%!  assert (numel (strfind (report, "<tr class=\"chosen\">")), 1);  # whatever the kind calls its models
+%!  assert (isempty (strfind (report, "Derived by Maxima")));
 %!endfunction
 %!test # numbers, film, figures and report
 %! check_with_row (@(folder) driver (spring_pendulum ("initial.phi", 0.5), "output", folder), ...
@@ -45,6 +48,9 @@
 %!  assert (sum ([rungs.chosen]), 1);
 %!  assert (diff ([rungs.error_m]) <= 0);
 %!  assert (rungs([rungs.chosen]).error_m < 1e-3);
+%!  chart = fileread (fullfile (folder, "models.svg"));
+%!  assert (! isempty (strfind (chart, "labels: elements")));
+%!  assert (isempty (strfind (chart, "foreshortening")));
 %!endfunction
 %!test # the ladder of models: more elements, a smaller error
 %! check_with_row (@(folder) model_ladder (spring_pendulum ("initial.phi", 0.5), "output", folder), ...
@@ -59,8 +65,8 @@
 %!  assert (csvread (fullfile (folder, "cost.csv"), 1, 0)(:,1), [2; 4]);
 %!endfunction
 %!test # the chart of methods: errors within tolerances
-%! check_with_row (@(folder) work_precision (spring_pendulum ("initial.phi", 0.5, "duration", 0.1, "model.modes", 1), ...
-%!                                           "output", folder), ...
+%! scene = spring_pendulum ("initial.phi", 0.5, "duration", 0.1, "model.modes", 1);
+%! check_with_row (@(folder) work_precision (scene, "output", folder), ...
 %!                 {"chart.csv", "cost.csv", "chart.svg", "chart.png"}, @check_chart, {"ode45", "lsode_adams"});
 
 %!function check_stability (folder, table)   # one spring: sqrt (k/m), with half of the string's mass

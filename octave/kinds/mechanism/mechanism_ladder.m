@@ -23,6 +23,8 @@ function ladder = mechanism_ladder (scene)
   ladder.poorer = @(rung, reference) clearly_fewer ([rung.bending, rung.longitudinal], ...
                                                     [reference.bending, reference.longitudinal]);
   ladder.label = @label_of;
+  ladder.labels = "bending modes of a body, the most; +n: n longitudinal ones";
+  ladder.curve = @(rung) "rungs";
   ladder.solver = setfield (scene.solver, "name", "auto");
   ladder.name = @name_of;
 endfunction

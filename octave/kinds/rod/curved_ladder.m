@@ -16,6 +16,8 @@ function ladder = curved_ladder (scene)
   ladder.left_out = @(reference, rung, part) left_out (reference.model, reference.history.V, part, rung.sines(part));
   ladder.poorer = @(rung, reference) clearly_fewer (rung.sines, reference.sines);
   ladder.label = @(rung) rung_label (setfield (rung, "sines", []));
+  ladder.labels = "bending base functions; +n: n longitudinal ones";
+  ladder.curve = @(rung) "rungs";
   ladder.solver = setfield (setfield (scene.solver, "name", "auto"), "tolerance", scene.solver.tolerance/5);
   ladder.name = @(rung) strrep (rung_name (rung), "sines", "base functions");
 endfunction

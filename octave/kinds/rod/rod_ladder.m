@@ -15,8 +15,17 @@ function ladder = rod_ladder (scene)
   ladder.poorer = @(rung, reference) clearly_fewer ([rung.bending, rung.longitudinal], ...
                                                     [reference.bending, reference.longitudinal]);
   ladder.label = @rung_label;
+  ladder.labels = "bending modes; q: longitudinal ones follow quasi-statically; +n: n longitudinal ones";
+  ladder.curve = @curve_of;
   ladder.solver = setfield (setfield (scene.solver, "name", "auto"), "tolerance", scene.solver.tolerance/5);
   ladder.name = @rung_name;
+endfunction
+
+function name = curve_of (rung)
+  name = "no foreshortening";
+  if (strcmp (rung.stiffening, "foreshortening"))
+    name = "with foreshortening";
+  endif
 endfunction
 
 ## of the reference's modes, which are those of the rung and more; another treatment of them tells nothing before it is

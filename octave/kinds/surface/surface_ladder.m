@@ -14,6 +14,8 @@ function ladder = surface_ladder (scene)
   ladder.left_out = @(reference, rung, part) left_out_of (reference, rung);
   ladder.poorer = @clearly_fewer;
   ladder.label = @(rung) sprintf ("%d", rung(1));
+  ladder.labels = "polynomials of each of the chart's coordinates";
+  ladder.curve = @(rung) "rungs";
   ladder.solver = setfield (setfield (scene.solver, "name", "auto"), "balance", Inf);
   ladder.name = @(rung) sprintf ("%d + %d polynomials", rung);
 endfunction

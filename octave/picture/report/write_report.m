@@ -68,7 +68,7 @@ function given = without (given, names)
   given = rmfield (given, intersect (names, fieldnames (given)));
 endfunction
 
-## the parts with the names; a surface of one's own may have been derived without
+## the parts with the names, of which a kind need not have any; a surface of one's own may have been derived without
 function html = equations (names)
   html = "";
   for name = names
@@ -77,6 +77,11 @@ function html = equations (names)
       html = [html, tex_to_html(fileread (file))];
     endif
   endfor
+  if (isempty (html))
+    html = "<p>None is derived.</p>";
+  else
+    html = ["<p>Derived by Maxima.</p>\n" html];
+  endif
 endfunction
 
 %!function html = report_in (folder, drawing, use, figures)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{system} =} string_system (@var{scene}, @var{model})
 ## A string of n = @var{model}.elements springs between point masses, the first one's end at O, as a system (see
-## @code{integrate}) of the state (x; y; x_dot; y_dot) (4n-by-1): M q'' = weight less tension.  It starts at rest, straight
-## at the angle initial.phi from the vertical, stretched as it would hang there along itself.
+## @code{integrate}) of the state (x; y; x_dot; y_dot) (4n-by-1): M q'' = weight less tension.  It starts at rest,
+## straight at the angle initial.phi from the vertical, stretched as it would hang there along itself.
 ## @end deftypefn
 
 function system = string_system (scene, model)
