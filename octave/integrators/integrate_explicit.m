@@ -4,8 +4,8 @@
 ## Octave's explicit Runge-Kutta methods, @var{ode} = @code{@@ode45} (Dormand and Prince) or @code{@@ode23} (Bogacki
 ## and Shampine), through all @var{times} (1-by-m, s) from the state @var{y} (n-by-1).
 ##
-## system.rate (t, y) is integrated as it is, or, where there is a system.turned, true, in the form of @code{turned_form}, made
-## anew at each of the @var{times} and at least 50 times in the duration.  @var{solver}.tolerance bounds a step's error
+## system.rate (t, y) is integrated as it is, or, where there is a system.turned, true, in the form of
+## @code{turned_form}, made anew at each of the @var{times} and at least 50 times in the duration.  @var{solver}.tolerance bounds a step's error
 ## in units of the state's scale; with @var{solver}.step all steps have that length, whatever their error.  Results:
 ## @var{states} (n-by-m), and the steps tried: calls by the stages a step.
 ##
