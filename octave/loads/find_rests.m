@@ -54,6 +54,9 @@ endfunction
 %!test # half a sine in a long rest
 %! ends = of (@(t) 100*sin (pi*(t - 12.3)/0.05).*(t > 12.3 & t < 12.35));
 %! assert (ends, [12.3 12.35], 4*eps (12.3));
+%!test # between the times at which it is given
+%! ends = of (@(t) 100*sin (pi*(t - 12.3012)/0.05).*(t > 12.3012 & t < 12.3512));
+%! assert (ends, [12.3012 12.3512], 4*eps (12.3));
 %!test # a ramp to a value that stays
 %! assert (of (@(t) 5 - 2*min (t/3, 1)), 3, 1e-14);
 %!test # the tails of a bell curve, where they are a billionth of it

@@ -35,6 +35,11 @@ endfunction
 %! reference = setfield (setfield (trial, "x", trial.x + 3e-6), "y", trial.y - 4e-6);
 %! estimate = estimate_error (rod_kind (), scene, trial, reference);
 %! assert ([estimate.metres, estimate.of_choice, estimate.dropped], [5e-6 5e-6 0], 1e-12);
+%!test # the richer model's points are moved by what is dropped, whose own error is added
+%! place = @(x, y) struct ("x", x, "y", y);
+%! kind.dropped = @(scene, run, reference) struct ("x", 1e-6, "y", 8e-6, "bound", 1e-7, "metres", 9e-6);
+%! estimate = estimate_error (kind, struct (), place (0, 0), place (4e-6, 4e-6));
+%! assert ([estimate.metres, estimate.of_choice, estimate.dropped], [13.1e-6, sqrt(32)*1e-6, 9e-6], 1e-12);
 %!test # Kane's spin-up at 1e-4 m: the exact rod is 3.2e-3 m away (two codes), and it is said
 %! evalc ("summary = driver ('spin_up', 'tolerance', 1e-4, 'output', '').summary;");
 %! assert (summary.estimated_error_m, 3.2e-3, 0.3e-3);

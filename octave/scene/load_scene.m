@@ -125,3 +125,17 @@ endfunction
 %! unwind_protect_cleanup
 %!   setenv ("HOME", home);
 %! end_unwind_protect
+%!function check_edited (folder, scratch)
+%!  before = pwd ();
+%!  unwind_protect
+%!    cd (folder);
+%!    for duration = [1 2]
+%!      write_text ("edited.m", sprintf ("function s = edited ()\n s.duration = %d;\nend\n", duration));
+%!      assert (load_scene ("./edited.m").duration, duration);
+%!    endfor
+%!  unwind_protect_cleanup
+%!    cd (before);
+%!  end_unwind_protect
+%!endfunction
+%!test # a file that was edited is read again, even within the second that file times tell
+%! in_scratch (@check_edited);

@@ -146,7 +146,7 @@ endfunction
 %! endfor
 %!test # the hub's rates are derivatives of its angle
 %! h = 1e-6;
-%! for seed = [2 6 10 14]
+%! for seed = [2 6 10 14 26 38]  # the last two stop
 %!   scene = random_loaded_scene (seed);
 %!   for t = scene.duration*[0.05 0.1 0.15 0.7 0.9]
 %!     step = h*scene.duration;

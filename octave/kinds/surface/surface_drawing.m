@@ -66,3 +66,5 @@ endfunction
 %! assert (drawing.bodies.x, drawing.surface.rod.x, 1e-12);
 %! assert (drawing.bodies.y, drawing.surface.rod.y, 1e-12);
 %! assert (columns (drawing.hinges.x), 2); assert (rows (drawing.hinges.x), 0);
+%! room = drawing.surface.room;  # for the thickness of the rod, of which the axis is given
+%! assert (room > 2*scene.rod.half_height && room < 0.1*scene.rod.length);

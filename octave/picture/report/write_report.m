@@ -84,18 +84,18 @@ function html = equations (names)
   endif
 endfunction
 
-%!function html = report_in (folder, drawing, use, figures)
+%!function html = report_in (folder, drawing, use, figures, tried)
 %!  for name = figures
 %!    write_text (fullfile (folder, [name{1} ".svg"]), ...
 %!                "<svg xmlns='http://www.w3.org/2000/svg'><path id='a'/></svg>\n");
 %!  endfor
-%!  summary = struct ("model", "rigid", "model_reason", "a < b", "warnings", {{"x & <y>"}}, "tried", [], ...
+%!  summary = struct ("model", "rigid", "model_reason", "a < b", "warnings", {{"x & <y>"}}, "tried", tried, ...
 %!                    "seconds", struct ("frames", 2, "film", 1), "command", "make simulate MODES='1 2'");
 %!  write_report (folder, drawing, struct ("moment", @(t) 3*(t < 1)), summary);
 %!  html = use (fullfile (folder, "report.html"));
 %!endfunction
-%!function html = report_of (drawing, use, figures = {"figure3", "history"})
-%!  html = in_scratch (@(folder, scratch) report_in (folder, drawing, use, figures));
+%!function html = report_of (drawing, use, figures = {"figure3", "history"}, tried = [])
+%!  html = in_scratch (@(folder, scratch) report_in (folder, drawing, use, figures, tried));
 %!endfunction
 
 %!function check_tags (html)   # every tag that is opened is closed in its turn
@@ -130,6 +130,11 @@ endfunction
 %! html = report_of (sample_drawing (2), @fileread, {});
 %! check_tags (html);
 %! assert (! isempty (strfind (html, "<p>figure3.svg is missing: the warnings say why.</p>")));
+%!test # of the models that were tried, the chosen one stands out; where they have no names, none does
+%! chosen = @(tried) regexp (report_of (sample_drawing (2), @fileread, {}, tried), '<tr class="chosen">.*?</tr>', "match");
+%! tried = struct ("name", {"1 mode", "rigid", "rigid"}, "error", {1, 2, 3});
+%! assert (chosen (tried), {'<tr class="chosen"><td>rigid</td><td class="number">2</td></tr>'});
+%! assert (chosen (rmfield (tried, "name")), cell (1, 0));
 %!test # several bodies
 %! check_tags (report_of (sample_bodies (3), @fileread));
 %!test # free bodies, nothing beside them
