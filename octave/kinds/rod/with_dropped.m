@@ -120,3 +120,31 @@ endfunction
 %! y = [0.3; 0.02; -0.01; 0; 0; 0; 0; 0];
 %! slope = model.arrays.slope_2.'*y(1:3);
 %! assert (system.motion (1.5, y).phi + asin (slope), scene.rotation (1.5)(1), 0.5*slope^5);
+%!function phi = behind (scene, q)   # of the chord, where a hub has not turned
+%!  scene = check_scene (setfield (scene, "rotation", @(t) [0 0 0]));
+%!  system = with_dropped (scene, build_model (scene, rung_of_scene (scene)));
+%!  phi = system.motion (1, [q; zeros(numel (q) + 2, 1)]).phi;
+%!endfunction
+%!function q_ddot = in_a_hub (scene, q, phi, theta_ddot)   # from rest
+%!  theta = phi - behind (scene, q);
+%!  scene = check_scene (setfield (scene, "rotation", @(t) [theta, 0, theta_ddot]));
+%!  rate = with_dropped (scene, build_model (scene, rung_of_scene (scene))).rate;
+%!  q_ddot = rate (1, [q; zeros(numel (q) + 2, 1)], [0 2])(numel (q)+1:2*numel (q));
+%!endfunction
+%!test # a moment and weight, in balance but for what is dropped: as in a hub that begins to turn likewise
+%! scene = setfield (setfield (rmfield (spin_up (), {"rotation", "moment_breaks"}), "gravity", 0.2), "duration", 2);
+%! scene.model = struct ("modes", [0 3], "stiffening", "foreshortening");
+%! hinged = check_scene (setfield (scene, "moment", @(t) 12*cos (0.3) + 0*t));
+%! model = build_model (hinged, rung_of_scene (hinged));
+%! rates = @(system, x) system.rate (1, [x; zeros(6, 1)], [0 2])(5:8);
+%! x = fsolve (@(x) rates (rod_system (hinged, model), x), [0; 0; 0; 0.3]);
+%! [q, phi] = deal (x(1:3), x(4));
+%! found = rates (with_dropped (hinged, model), x);
+%! q_ddot = found(1:3);
+%! steady = in_a_hub (scene, q, phi, 0);
+%! by_turning = in_a_hub (scene, q, phi, 1) - steady;
+%! theta_ddot = by_turning \ (q_ddot - steady);
+%! assert (in_a_hub (scene, q, phi, theta_ddot), q_ddot, 1e-8*norm (q_ddot));
+%! phi_ddot = theta_ddot + (behind (scene, q + q_ddot) - behind (scene, q - q_ddot))/2;
+%! [mass_q_phi, mass_phi_phi] = rod_forces (1, phi, 0, q, 0*q, rod_constants (hinged, model));
+%! assert (found(4), mass_q_phi.'*q_ddot + mass_phi_phi*phi_ddot, 1e-6*abs (mass_phi_phi*phi_ddot));

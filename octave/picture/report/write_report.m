@@ -131,7 +131,8 @@ endfunction
 %! check_tags (html);
 %! assert (! isempty (strfind (html, "<p>figure3.svg is missing: the warnings say why.</p>")));
 %!test # of the models that were tried, the chosen one stands out; where they have no names, none does
-%! chosen = @(tried) regexp (report_of (sample_drawing (2), @fileread, {}, tried), '<tr class="chosen">.*?</tr>', "match");
+%! html = @(tried) report_of (sample_drawing (2), @fileread, {}, tried);
+%! chosen = @(tried) regexp (html (tried), '<tr class="chosen">.*?</tr>', "match");
 %! tried = struct ("name", {"1 mode", "rigid", "rigid"}, "error", {1, 2, 3});
 %! assert (chosen (tried), {'<tr class="chosen"><td>rigid</td><td class="number">2</td></tr>'});
 %! assert (chosen (rmfield (tried, "name")), cell (1, 0));
