@@ -27,7 +27,10 @@ endfunction
 %!test
 %! system.rate = @(t, y, interval) y + (interval(2) < 1);
 %! system.at = @(t, q, v) t;
+%! system.momenta.rate = @(t, z, interval) 10*z + (interval(2) < 1);
+%! system.accelerations.rate = @(t, z, interval) 20*z + (interval(2) < 1);
 %! twice = @(t, value) 2*value;
 %! between = between_breaks (system, [0 1], twice);
 %! assert (between.rate (1, 3), 8);
 %! assert (between.at (1, [], []) < 2); assert (between.at (1, [], []), 2, 1e-12);
+%! assert ([between.momenta.rate(1, 3), between.accelerations.rate(1, 3)], [62 122]);

@@ -33,3 +33,5 @@ endfunction
 %! said = evalc ("announce_breaks (struct ('name', 'force', 'looked_at', 1009, 'breaks', 1:9))");
 %! assert (strtrim (said), ["breaks found in the loads: force at t = 1, 2, 3, 4, 5, 6 and 3 more s; force takes" ...
 %!                          " long, it was looked at 1009 times only"]);
+%! said = evalc ("announce_breaks (struct ('name', 'force', 'looked_at', 20011, 'breaks', 1:6))");
+%! assert (strtrim (said), "breaks found in the loads: force at t = 1, 2, 3, 4, 5, 6 s");

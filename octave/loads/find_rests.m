@@ -59,6 +59,7 @@ endfunction
 %! assert (ends, [12.3012 12.3512], 4*eps (12.3));
 %!test # a ramp to a value that stays
 %! assert (of (@(t) 5 - 2*min (t/3, 1)), 3, 1e-14);
+%! assert (of (@(t) 5 - 2*min (t/3.0012, 1)), 3.0012, 1e-8);
 %!test # the tails of a bell curve, where they are a billionth of it
 %! width = 0.02;
 %! assert (of (@(t) 7*exp (-((t - 8)/width).^2)), 8 + [-1 1]*width*sqrt (log (1e9)), 1e-5);

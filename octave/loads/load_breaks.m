@@ -105,13 +105,20 @@ endfunction
 %!test # where a load comes to rest smoothly at a stated time nothing else is found
 %! [breaks, probed] = of (@(t) sin (pi*t/3).^4.*(t < 3), 3);
 %! assert (breaks, 3); assert (probed.breaks, zeros (1, 0));
+%! assert (of (@(t) 1e3*sin (pi*t/3).^4.*(t < 3), 3), 3);
+%! assert (of (@(t) 1e-3*sin (pi*t/3).^4.*(t < 3), 3), 3);
 %! [breaks, probed] = of (@(t) [(3-min(t,3))^4/12, -(3-min(t,3))^3/3, (3-min(t,3))^2], 3, [1 2], 3);
 %! assert (breaks, 3); assert (probed.breaks, zeros (1, 0));
 %!test # a time that is stated roughly gives way to what was found
 %! assert (of (@(t) t.*(t < 1/3), 0.333333333), 1/3);
 %!error <moment jumps from 0 to 1 at t = 3, its number 2: no force can> of (@(t) [0 (t >= 3) 0], [], [1 2], 3)
 %!test # an acceleration may
-%! assert (of (@(t) [0 0 (t >= 3)], [], [1 2], 3), 3);
+%! [breaks, probed] = of (@(t) [0 0 (t >= 3)], [], [1 2], 3);
+%! assert (breaks, 3); assert (probed.looked_at, 4001);
+%!test # a thousand jumps are taken, more are not
+%! assert (numel (of (@(t) mod (floor (1000.5/20*t), 2), [])), 1000);
+%! assert (of (@(t) mod (floor (1001.5/20*t), 2), []), zeros (1, 0));
+%!error <moment gives Inf at t = 7.3: it takes> of (@(t) 1./(abs (t - 7.3) > 1e-12), []);  # at a frame alone
 %!function t = slower (t)
 %!  for k = 1:numel (t)
 %!    eig (hilb (60));

@@ -17,3 +17,11 @@ endfunction
 %!test # a pulse of a ten-thousandth of the run
 %! scene = struct ("duration", 100, "moment_breaks", [50.003 50.013]);
 %! assert (any (load_times (scene) > 50.003 & load_times (scene) < 50.013));
+%!test # between all ends, and nowhere else
+%! scene = struct ("duration", 100, "moment_breaks", [-1 0.01 0.02 99.98 99.99 101]);
+%! times = load_times (scene);
+%! for gap = [0 0.01 0.02 99.98 99.99; 0.01 0.02 99.98 99.99 100]
+%!   inside = sum (times > gap(1) & times < gap(2));
+%!   assert (inside, 21 + 998*(diff (gap) > 1));
+%! endfor
+%! assert (all (times >= 0 & times <= 100));

@@ -93,3 +93,10 @@ endfunction
 %! ladder = series (0.1.^(0:9), 0);
 %! trial = smallest_near (ladder, try_rung (ladder, 10), 2e-3, {try_rung(ladder, 4)});
 %! assert (trial.rung, 3);
+%!test # where nothing holds, or the reference failed, the reference is the rung to go on from
+%! ladder = series (0.1.^(0:9), 0);
+%! [trial, needed] = smallest_near (ladder, try_rung (ladder, 10), 2e-3, {});
+%! assert (trial, []); assert (needed, 10);
+%! failed = setfield (try_rung (ladder, 10), "error", "it shrank");
+%! [trial, needed] = smallest_near (ladder, failed, 2e-3, {});
+%! assert (trial, []); assert (needed, 10);

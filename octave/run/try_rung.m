@@ -28,3 +28,6 @@ endfunction
 %! assert (trial.error, "it shrank"); assert (trial.rung, 2);
 %! assert (distance (trial, struct ("x", 1, "y", 2)), Inf);
 %!error <nonconformant> try_rung (struct ("name", @(n) "", "trial", @(n) [1 2] + [1 2 3]), 2);
+%!test # what runs has no error
+%! trial = try_rung (struct ("name", @(n) "", "trial", @(n) struct ("x", n, "y", 0)), 2);
+%! assert (trial.x, 2); assert (trial.error, ""); assert (trial.seconds >= 0);

@@ -13,3 +13,5 @@ endfunction
 %! scene = struct ("frame_size", [1280 720], "zoom", 300);
 %! assert (plane_pixel (scene, 1), 2.5/720/300, 1e-12);
 %! assert (plane_pixel (setfield (scene, "frame_size", [2560 1440]), 1), 1.25/720/300, 1e-12);
+%! assert (plane_pixel (setfield (scene, "zoom", 1), 1), 2.5/720, 1e-12);
+%! assert (plane_pixel (setfield (scene, "zoom", 0), 1), 2.5/720, 1e-12);

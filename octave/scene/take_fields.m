@@ -55,3 +55,7 @@ endfunction
 %!error <bodies\(2\).a is missing: it takes number> take_fields (struct (), {"a", NaN, "number"}, "bodies(2)")
 %!error <bodies\(2\).c is not a field of bodies\(2\): those are a>
 %! take_fields (struct ("c", 3), {"a", 1, "number"}, "bodies(2)");
+%!assert (take_fields (struct ("b", struct ("c", 4)), {"b.c", 3, "number"}, "a scene").b.c, 4)
+%!error <^a is -1: it takes positive number> take_fields (struct ("a", -1), {"a", 1, "positive number"}, "a scene")
+%!error <^bodies\(2\).a is -1: it takes> take_fields (struct ("a", -1), {"a", 1, "positive number"}, "bodies(2)")
+%!error <^b is a double: it takes a struct> take_fields (struct ("b", 3), {"b.c", 3, "number"}, "a scene")

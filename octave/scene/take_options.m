@@ -38,7 +38,9 @@ endfunction
 %! [scene, output] = take_options (struct (), "output/x", {"modes", [1 2], "output", "here"});
 %! assert (scene.model.modes, [1 2]); assert (output, struct ("folder", "here", "pictures", true));
 %! assert (nthargout (2, @take_options, scene, "here", {"pictures", false}).pictures, false);
+%! assert (nthargout (2, @take_options, scene, "here", {"pictures", 1}).pictures, true);
 %!assert (nthargout (2, @take_options, struct (), "", {"output", "-x"}).folder, "./-x")
 %!error <driver: pictures is maybe: it takes true or false, PICTURES=yes or no>
 %! take_options (struct (), "", {"pictures", "maybe"});
 %!error <in pairs> take_options (struct (), "", {"modes"})
+%!error <driver: pictures is 2: it takes> take_options (struct (), "", {"pictures", 2});

@@ -75,3 +75,19 @@ endfunction
 %!assert (value_error ("number in rad", @sin), "a 1-by-1 function_handle")
 %!assert (value_error ("vector of times in s", {}), "a 0-by-0 cell")
 %!assert (value_error ("true or false", 1), "")
+%!test # each kind to its ends, and beyond them
+%! taken = {"number from 0 to 1", {0, 1}, {-0.1, 1.1, NaN, [0 1]}
+%!          "positive number", {realmin}, {0}
+%!          "nonnegative number", {0, 2}, {-realmin, NaN}
+%!          "true or false", {0, true}, {2, [true false], "yes"}
+%!          "struct array", {{}, struct()}, {3}
+%!          "text", {"", "word"}, {["a"; "b"], 3}
+%!          "vector of times in s", {[], 3, 1:9}, {eye(2), [1 Inf], 1i}
+%!          "two numbers of modes [N1 N2]", {[0 1000]}, {[-1 3], [0 1001], [1 2 3]}
+%!          "even numbers of pixels [W H]", {[320 8192], [322 324]}, {[318 400], [400 8194]}};
+%! for row = taken.'
+%!   cellfun (@(value) assert (value_error (row{1}, value), "", row{1}), row{2});
+%!   cellfun (@(value) assert (! isempty (value_error (row{1}, value)), row{1}), row{3});
+%! endfor
+%!assert (value_error ("number", 1:4), "1   2   3   4")
+%!assert (value_error ("number", 1:5), "a 1-by-5 double")

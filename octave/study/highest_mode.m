@@ -30,3 +30,15 @@ endfunction
 %! assert (mode.omega, highest_frequency (system), -1e-6);
 %! y = system.initial_state;
 %! assert (mode.amplitude (y + 2*mode.shape, y), 2*mode.amplitude (y + mode.shape, y), -1e-9);
+%!test # of two coordinates of different size it is the linear oscillation, and has nothing of the other
+%! K = [90 2; 2 5];
+%! scale = [0.01; 3];
+%! system = struct ("initial_state", [1; 2; 0; 0], "duration", 1, "state_scale", [scale; scale], "mass", eye (2));
+%! system.rate = @(t, y, interval) [y(3:4); -K*(y(1:2) - [1; 2])];
+%! mode = highest_mode (system);
+%! [shapes, squares] = eig (K);
+%! assert (mode.omega, sqrt (squares(2,2)), 1e-6);
+%! assert (K*mode.shape(1:2), squares(2,2)*mode.shape(1:2), 1e-6*norm (mode.shape));
+%! assert (max (abs (mode.shape(1:2)./scale)), 1e-6, -1e-6);
+%! assert (mode.shape(3:4), zeros (2, 1), 1e-6*norm (mode.shape));
+%! assert (mode.amplitude ([shapes(:,1); 0; 0], 0) < 1e-6*mode.amplitude ([shapes(:,2); 0; 0], 0));

@@ -101,3 +101,11 @@ endfunction
 %! assert (note, "stiffening = \"auto\" is none where numbers of modes are stated");
 %! assert (nthargout (2, stated, check_scene (setfield (arc_pendulum (), "model", "modes", [1 2]))), "");
 %! assert (stated (check_scene (paper ())), []);
+%!test # the exact rod on a plane is spoken of where it can be had
+%! instead = @(varargin) rod_kind ().instead (check_scene (setfield (paper (), varargin{:})));
+%! plane = @(text) ! isempty (strfind (text, "upright plane"));
+%! assert (plane (instead ("zoom", 1)));
+%! assert (! plane (instead ("tip_mass", 1)));
+%! assert (! plane (instead ("rod", "damping", 1e-5)));
+%! assert (! plane (instead ("force", @(t) [1 0])));
+%! assert (! plane (rod_kind ().instead (check_scene (spin_up ()))));

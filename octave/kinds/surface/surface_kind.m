@@ -106,3 +106,15 @@ endfunction
 %! result = driver (scene, "output", "");
 %! assert (! isempty (strfind (result.summary.warnings{1}, "would have to pull the rod from t = 0 s on")));
 %! assert (driver (setfield (scene, "surface", "side", 1), "output", "").summary.warnings, {});
+%!test # models of a size, and far richer ones, as long as they are not too large
+%! kind = surface_kind ();
+%! model = @(n) struct ("numbers", struct ("modes", [n n]));
+%! assert (cellfun (@(n) kind.far_richer ([], model (n))(1), {5, 15, 20}), [10 30 32]);
+%! assert ({kind.sized([], 3), kind.sized([], 4), kind.sized([], 32), kind.sized([], 33)}, ...
+%!         {zeros(1, 0), [4 4], [32 32], zeros(1, 0)});
+%!test # strains beyond a twentieth are warned of
+%! for strain = [0.05 0.06]
+%!   history = struct ("largest_strain", strain, "reaction", [1 1]);
+%!   warnings = surface_kind ().warnings (struct ("surface", struct ("side", 1)), struct ("history", history));
+%!   assert (numel (warnings) == 1, strain > 0.05);
+%! endfor
