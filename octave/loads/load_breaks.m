@@ -14,7 +14,7 @@
 ## @end deftypefn
 
 function [breaks, probed] = load_breaks (loads, stated, scene)
-  breaks = unique (stated(:).');
+  breaks = reshape (unique (stated), 1, []);
   breaks(diff (breaks) <= 1e-12*scene.duration) = [];
   probed = struct ("name", {}, "looked_at", {}, "breaks", {});
   for load = loads
@@ -112,6 +112,9 @@ endfunction
 %!test # a time that is stated roughly gives way to what was found
 %! assert (of (@(t) t.*(t < 1/3), 0.333333333), 1/3);
 %!error <moment jumps from 0 to 1 at t = 3, its number 2: no force can> of (@(t) [0 (t >= 3) 0], [], [1 2], 3)
+%!error <moment jumps from 3 to 2 at t = 3, its number 1> of (@(t) [t-(t >= 3), 1, 0], [], [1 2], 3)
+%!test # stated twice, but for rounding
+%! assert (of (@(t) 0*t, [5, 5 + 1e-11, 7]), [5 7], 1e-10);
 %!test # an acceleration may
 %! [breaks, probed] = of (@(t) [0 0 (t >= 3)], [], [1 2], 3);
 %! assert (breaks, 3); assert (probed.looked_at, 4001);
