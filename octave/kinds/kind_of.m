@@ -52,7 +52,7 @@
 ## @item literal (scene)
 ## the rung of the paper's sines, 7 + 7, or empty
 ## @item sized (scene, n)
-## the rung of size n, so many modes, polynomials or elements of each sort, empty where there is none
+## the model of size n, so many modes, polynomials or elements of each sort, empty where there is none
 ## @item references
 ## two methods and tolerances (m) that should agree: rows of a cell array
 ## @end table

@@ -12,9 +12,12 @@ function record_failure (output, name, scene, err)
   endif
   file = fullfile (output.folder, "summary.json");
   summary = struct ("scene", name, "title", scene.title, "solver", scene.solver.name);
-  if (exist (file, "file"))
-    summary = jsondecode (fileread (file));
-  endif
+  try
+    last = jsondecode (fileread (file));
+    last.scene;
+    summary = last;
+  catch  # there is none, or it is damaged
+  end_try_catch
   summary.last_failure = struct ("time", strftime ("%Y-%m-%d %H:%M:%S", localtime (time ())), ...
                                  "message", strtrim (err.message));
   try

@@ -40,9 +40,9 @@ function table = measure_all (kind, scene, ladder)
   endfor
   table = [table, rung_row(ladder, rich, richest.count, distance (richest, reference), choice.rung)];
   if (! isempty (exact))
-    row = rung_row (ladder, choice.rung, exact.count, distance (exact, richest), []);
-    [row.model, row.label] = deal (exact.name, "exact");
-    table = [table, row];
+    ladder.name = @(rung) exact.name;
+    ladder.label = @(rung) "exact";
+    table = [table, rung_row(ladder, choice.rung, exact.count, distance (exact, richest), [])];
   endif
 endfunction
 
@@ -80,14 +80,14 @@ endfunction
 %! end_unwind_protect
 %!test # of every other kind, too: more modes, a smaller error
 %! scenes = {setfield(setfield (arc_pendulum (), "duration", 0.05), "solver", "tolerance", 1e-4), ...
-%!           setfield(setfield (chain (1), "duration", 0.01), "solver", "tolerance", 1e-4), ...
+%!           setfield(setfield (setfield (chain (1), "duration", 0.01), "frames_per_second", 300), "solver", "tolerance", 1e-4), ...
 %!           setfield(setfield (large_swing (), "duration", 0.02), "solver", "tolerance", 1e-3)};
 %! for scene = scenes
 %!   folder = tempname (); confirm_recursive_rmdir (false, "local");
 %!   unwind_protect
 %!     evalc ("table = model_ladder (scene{1}, 'output', folder, 'pictures', false);");
 %!     assert (sum ([table.chosen] & ! strcmp ({table.method}, "ode45")), 1);
-%!     assert (table(1).error_m >= table([table.chosen])(1).error_m);
+%!     assert (table(end-1).error_m > 0 && table(1).error_m >= table([table.chosen])(1).error_m);
 %!     assert (exist (fullfile (folder, "models.csv"), "file"), 2);
 %!   unwind_protect_cleanup
 %!     rmdir (folder, "s");

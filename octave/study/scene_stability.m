@@ -12,7 +12,13 @@
 function table = scene_stability (scene = "paper", varargin)
   [scene, kind, output] = study_scene (scene, varargin);
   system = at_rates (kind.system (scene, chosen_model (kind, scene)));
-  mode = highest_mode (system);
+  mode = struct ("omega", 0);
+  if (rows (system.mass) > 0)
+    mode = highest_mode (system);
+  endif
+  if (mode.omega == 0)
+    scene_error ("nothing oscillates: stability takes a model that bends, MODES=\"0 2\" say");
+  endif
   printf ("  highest frequency about the start: %.6g rad/s\n", mode.omega);
   found = struct ([]);
   curves = {};
@@ -48,6 +54,7 @@ endfunction
 function names = explicit_methods (system)
   table = integrator_table (system.forms);
   limited = isfinite (cellfun (@stability_limit, {table.name}));
+  limited &= ! strcmp ({table.form}, "momenta") | isfield (system, "momenta");  # a hub has none
   names = {table(limited).name};
 endfunction
 
@@ -102,9 +109,10 @@ function found = amplitudes (system, mode, name, h, times)
 endfunction
 
 %!error <cannot be made|can be written> scene_stability ("paper", "output", "/proc/nowhere")
+%!error <nothing oscillates> scene_stability ("spin_up", "modes", [0 0], "output", tempdir ())
 %!test # measured limits are the predicted ones, of every kind of scene
 %! scenes = {setfield(paper (), "model", "modes", [0 1]), chain(1), setfield(large_swing (), "model", "modes", [4 4]), ...
-%!           setfield(arc_pendulum (), "model", "modes", [0 2])};
+%!           setfield(arc_pendulum (), "model", "modes", [0 2]), setfield(spin_up (), "model", "modes", [0 2])};
 %! for scene = scenes
 %!   folder = tempname (); confirm_recursive_rmdir (false, "local");
 %!   unwind_protect

@@ -12,11 +12,16 @@ function [scene, kind, output] = study_scene (which, options)
   if (isempty (scene.title))
     scene.title = name;
   endif
+  if (numel (frame_times (scene)) < 2)
+    scene_error ("duration is %g: a study takes more than one frame, at %g frames a second", scene.duration, ...
+                 scene.frames_per_second);
+  endif
   require_folder (output.folder);
 endfunction
 
 %!error <cannot be made|can be written> study_scene ("paper", {"output", "/proc/nowhere"})
 %!error <model.modes is "many": it takes> study_scene ("bowl", {"modes", "many"})
+%!error <duration is 0.001: a study takes more than one frame> study_scene (setfield (swing (), "duration", 1e-3), {})
 %!test
 %! [scene, kind, output] = study_scene (swing (), {"output", tempdir(), "modes", [0 1]});
 %! assert (scene.model.modes, [0 1]); assert (kind.name, "rod"); assert (output.folder, tempdir ());

@@ -54,7 +54,15 @@ function run = reference_run (kind, scene, model)
     printf ("  reference: %s at %g m\n", kind.references{1,:});
     return;
   endif
-  off = distance (run, by (kind.references{2,:}));
+  try
+    off = distance (run, by (kind.references{2,:}));
+  catch err
+    if (! strcmp (err.identifier, "toolchain:integration"))
+      rethrow (err);
+    endif
+    off = NaN;
+    printf ("  %s\n", strtrim (err.message));
+  end_try_catch
   printf ("  reference: %s at %g m, %s at %g m differs from it by %.2g m\n", kind.references.'{:}, off);
 endfunction
 

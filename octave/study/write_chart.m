@@ -7,7 +7,7 @@ function write_chart (table, cost, folder)
   lines = {"method,tolerance [m] or step [s],error [m],drift [m or rad],seconds [s],calls,extrapolated,failure"};
   for row = table
     lines{end+1} = sprintf ("%s,%.17g,%.17g,%.17g,%.17g,%d,%d,\"%s\"", row.method, row.parameter, row.error_m, ...
-                            row.drift, row.seconds, row.calls, row.extrapolated, row.failure);
+                            row.drift, row.seconds, row.calls, row.extrapolated, strrep (row.failure, "\"", "\"\""));
   endfor
   write_text (fullfile (folder, "chart.csv"), [strjoin(lines, "\n") "\n"]);
   write_text (fullfile (folder, "cost.csv"), ...

@@ -33,7 +33,10 @@ function joints = loads_of (given)
     joints{end+1} = struct ("name", "moment", "kind", "moment", "bodies", 1, "stations", 0, "value", given.moment);
   endif
   if (isfield (given, "force") && ! isempty (given.force))
-    station = given.rod.length;
+    station = [];  # the tip, where the rod has a length
+    if (isfield (given.rod, "length"))
+      station = given.rod.length;
+    endif
     if (isfield (given, "force_station") && ! isempty (given.force_station))
       station = given.force_station;
     endif
@@ -42,7 +45,7 @@ function joints = loads_of (given)
 endfunction
 
 function joints = on_the_body (joints)
-  if (isstruct (joints))
+  if (! iscell (joints))
     joints = num2cell (joints);
   endif
   for k = 1:numel (joints)

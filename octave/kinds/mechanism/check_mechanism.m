@@ -19,14 +19,18 @@ function scene = check_mechanism (given)
 endfunction
 
 function scene = same_modes (scene)
-  if (isfield (scene, "model") && isfield (scene.model, "modes") && isfield (scene, "bodies"))
+  if (isfield (scene, "model") && isfield (scene.model, "modes") && isfield (scene, "bodies") ...
+      && (iscell (scene.bodies) || isstruct (scene.bodies)))
     if (isstruct (scene.bodies))
       scene.bodies = num2cell (scene.bodies);
     endif
-    for k = 1:numel (scene.bodies)
+    for k = find (cellfun (@isstruct, scene.bodies(:).'))
       scene.bodies{k}.model.modes = scene.model.modes;
     endfor
-    scene = rmfield (scene, "model");
+    scene.model = rmfield (scene.model, "modes");
+    if (isempty (fieldnames (scene.model)))
+      scene = rmfield (scene, "model");
+    endif
   endif
 endfunction
 

@@ -26,7 +26,7 @@ function kind = mechanism_kind ()
   kind.rungs = @rungs_around;
   kind.exact = @(scene) deal ([], false);
   kind.literal = @(scene) [];
-  kind.sized = @(scene, n) same_for_all (scene, n, n);
+  kind.sized = @model_of_size;
   kind.references = {"radau", 1e-12; "ode15i", 1e-9};
 endfunction
 
@@ -42,6 +42,14 @@ endfunction
 function rung = same_for_all (scene, bending, longitudinal)
   each = ones (1, numel (scene.bodies));
   rung = struct ("bending", bending*each, "longitudinal", longitudinal*each);
+endfunction
+
+function model = model_of_size (scene, n)
+  for k = 1:numel (scene.bodies)
+    scene.bodies(k).model.modes = "auto";
+  endfor
+  rung = same_for_all (scene, n, n);
+  model = build_mechanism (scene, mechanism_rungs (scene, rung.bending, rung.longitudinal));
 endfunction
 
 function rungs = rungs_around (scene, chosen, richer)

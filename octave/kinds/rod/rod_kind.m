@@ -26,7 +26,7 @@ function kind = rod_kind ()
   kind.rungs = @rungs_around;
   kind.exact = @exact_runs;
   kind.literal = @paper_sines;
-  kind.sized = @(scene, n) rung_of_scene (setfield (scene, "model", "modes", [n n]));
+  kind.sized = @(scene, n) build_model (scene, rung_of_scene (setfield (scene, "model", "modes", [n n])));
   kind.references = {"waveform", 1e-10; "exponential", 2e-11};
 endfunction
 
@@ -48,9 +48,16 @@ function ladder = straight_or_curved (scene)
 endfunction
 
 function rung = far_richer_rung (scene, model)
-  rung = struct ("sines", [], "bending", 30, "longitudinal", 30, "axial", "dynamic", "stiffening", "foreshortening");
+  along = 30*! strcmp (scene.model.axial, "none");
   if (! isempty (scene.rod.curvature))
-    rung.sines = [27 40];
+    rung = curved_rung ([0.9*along, 40]);
+    return;
+  endif
+  rung = struct ("sines", [], "bending", 30, "longitudinal", along, "axial", "dynamic", "stiffening", "foreshortening");
+  if (along == 0)
+    rung.axial = "none";
+  endif
+  if (strcmp (scene.model.stiffening, "none"))
     rung.stiffening = "none";
   endif
 endfunction
@@ -68,9 +75,11 @@ function rungs = rungs_around (scene, chosen, richer)
   endif
 endfunction
 
+## whose literal equations have a hinge, weight and a moment
 function rung = paper_sines (scene)
   rung = [];
-  if (isempty (scene.rod.curvature))
+  more = ! isempty (scene.rotation) || ! isempty (scene.force) || scene.tip_mass > 0;
+  if (isempty (scene.rod.curvature) && ! more)
     rung = rung_of_scene (setfield (scene, "model", "modes", [7 7]));
   endif
 endfunction

@@ -7,6 +7,9 @@
 function scene = check_surface_scene (given)
   fields = surface_scene_fields ();
   given = without_probed (given);
+  if (! (isstruct (given.surface) && isscalar (given.surface)))
+    scene_error ("surface is a %s: it takes a struct with a name and its parameters", class (given.surface));
+  endif
   refuse_unknown (rmfield (given, "surface"), "", fields(:,1));
   scene = struct ("surface", given.surface);
   for field = fields.'
@@ -99,6 +102,7 @@ endfunction
 %! scene = check_surface_scene (smallest ());
 %! assert (scene.solver.tolerance, 1/1440);
 %! assert (scene.rod.EI_normal, 1); assert (scene.gravity, 9.81); assert (scene.force (3), [0; 0; 0]);
+%!error <surface is a char: it takes a struct> check_surface_scene (setfield (smallest (), "surface", "bowl"))
 %!error <rod.EA is -1: it takes positive number in N> check_surface_scene (setfield (smallest (), "rod", "EA", -1))
 %!error <rod.EI is missing> check_surface_scene (setfield (smallest (), "rod", struct ("length", 1, "EA", 1)))
 %!error <colour is not a field of a scene on a surface> check_surface_scene (setfield (smallest (), "colour", 1))

@@ -27,7 +27,7 @@ function kind = string_kind ()
   kind.rungs = @(scene, chosen, richer) num2cell (unique ([1, chosen, richer]));
   kind.exact = @(scene) deal ([], false);
   kind.literal = @(scene) [];
-  kind.sized = @(scene, n) n(n <= 4);
+  kind.sized = @(scene, n) setfield (scene.string, "elements", n)(n <= 4);
   kind.references = {"ode45", 1e-10; "lsode_adams", 1e-9};
 endfunction
 
