@@ -24,4 +24,4 @@ endfunction
 %!   inside = sum (times > gap(1) & times < gap(2));
 %!   assert (inside, 21 + 998*(diff (gap) > 1));
 %! endfor
-%! assert (all (times >= 0 & times <= 100));
+%! assert (times >= 0 & times <= 100);
