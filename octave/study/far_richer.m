@@ -1,16 +1,15 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{run} =} far_richer (@var{result})
-## The scene of a @var{result} of @code{driver} run by a far richer model of the same physics (see far_richer in
-## @code{kind_of}) with a twentieth of the tolerance, its points moved by what all such models drop (see
+## The scene of a @var{result} of @code{driver} run by a far richer model of the same physics (see
+## @code{richest_run}), its points moved by what all such models drop (see
 ## @code{dropped_error}).
 ## @end deftypefn
 
 function run = far_richer (result)
   scene = result.scene;
   kind = kind_of (scene);
-  scene.solver.name = "auto";
+  run = richest_run (kind, scene, result.model);
   scene.solver.tolerance /= 20;
-  run = run_model (kind, scene, kind.build (scene, kind.far_richer (scene, result.model)));
   dropped = kind.dropped (scene, run, run);
   if (! isempty (dropped))
     run.x += dropped.x;

@@ -23,18 +23,13 @@ endfunction
 
 function table = measure_all (kind, scene, ladder)
   choice = choose (ladder, scene.solver.tolerance);
-  rich = kind.far_richer (scene, choice.trial.model);
-  fine = setfield (scene, "solver", "tolerance", scene.solver.tolerance/20);
-  richest = reference = run_model (kind, fine, kind.build (fine, rich), setfield (fine.solver, "name", "auto"));
+  [richest, rich] = richest_run (kind, scene, choice.trial.model);
+  reference = richest;
   [exact, converged] = kind.exact (scene);
   if (converged)
     reference = exact;
   endif
-  table = struct ([]);
-  for rung = kind.rungs (scene, choice.rung, choice.reference.rung)
-    trial = try_rung (ladder, rung{1});
-    table = [table, rung_row(ladder, rung{1}, trial.count, distance (trial, reference), choice.rung)];
-  endfor
+  table = rung_rows (kind, scene, ladder, choice, reference);
   for rung = by_ode45 (kind, scene, choice)
     table = [table, ode45_row(kind, scene, ladder, rung{1}, reference, choice.rung)];
   endfor

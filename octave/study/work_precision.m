@@ -35,10 +35,7 @@ function [rung, rows] = charted (kind, scene)
   if (isempty (rung))
     ladder = ladder_of (kind, scene);
     choice = choose (ladder, scene.solver.tolerance);
-    for near = kind.rungs (scene, choice.rung, choice.reference.rung)
-      trial = try_rung (ladder, near{1});
-      rows = [rows, rung_row(ladder, near{1}, trial.count, distance (trial, choice.reference), choice.rung)];
-    endfor
+    rows = rung_rows (kind, scene, ladder, choice, choice.reference);
     rung = choice.rung;
     if (! isempty (kind.literal (scene)))
       rung = kind.literal (scene);
