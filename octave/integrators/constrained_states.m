@@ -7,7 +7,7 @@
 
 function [states, steps] = constrained_states (method, system, times, y, solver)
   [reached, steps] = method (system, times, named_rows (system, y), solver);
-  states = [reached.q; reached.v; reached.lambda; reached.W; reached.D];
+  states = stacked_rows (reached);
 endfunction
 
 %!test # there and back

@@ -6,7 +6,8 @@
 ## @end deftypefn
 
 function [states, count] = integrate_constrained (system, times, start, solver)
-  system.initial_state = [start.q; start.v; zeros(system.constraint_count, 1); start.W; start.D];
+  start.lambda = zeros (system.constraint_count, 1);
+  system.initial_state = stacked_rows (start);
   system.state_scale = system.q_scale;
   [states, count] = integrate (system, times, solver);
   states = named_rows (system, states);

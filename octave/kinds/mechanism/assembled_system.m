@@ -7,7 +7,8 @@
 function system = assembled_system (scene, mechanism)
   system = mechanism_system (scene, mechanism);
   [start, system.warnings] = assemble_mechanism (scene, mechanism, system);
-  system.initial_state = [start.q; start.v; zeros(system.constraint_count, 1); start.W; start.D];
+  start.lambda = zeros (system.constraint_count, 1);
+  system.initial_state = stacked_rows (start);
   system.state_scale = system.q_scale;
   system.energy_rows = [];
 endfunction
