@@ -19,14 +19,24 @@ function system = between_breaks (system, interval, counted)
     system.residual = @(t, varargin) counted (t, residual (t, varargin{:}));
   endif
   if (isfield (system, "at"))
-    at = system.at;
-    system.at = @(t, q, v) at (counted (t, min (max (t, inside(1)), inside(2))), q, v);
+    [at, prescribed] = deal (system.at, system.prescribed);
+    system.prescribed = @(t) prescribed (min (max (t, inside(1)), inside(2)));
+    system.at = @(t, q, v) at (t_counted (t, system.prescribed, counted), q, v);
   endif
+endfunction
+
+## the values that are prescribed, where they are not known yet
+function t = t_counted (t, prescribed, counted)
+  if (isnumeric (t))
+    t = prescribed (t);
+  endif
+  t.t = counted (t.t, t.t);
 endfunction
 
 %!test
 %! system.rate = @(t, y, interval) y + (interval(2) < 1);
-%! system.at = @(t, q, v) t;
+%! system.prescribed = @(t) struct ("t", t);
+%! system.at = @(t, q, v) t.t;
 %! system.momenta.rate = @(t, z, interval) 10*z + (interval(2) < 1);
 %! system.accelerations.rate = @(t, z, interval) 20*z + (interval(2) < 1);
 %! twice = @(t, value) 2*value;

@@ -2,76 +2,101 @@
 ## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_radau (@var{system}, @var{times}, @var{start}, @var{solver})
 ## Radau IIA of order 9 (Hairer and Wanner, Solving Ordinary Differential Equations II, IV.8 and VII) on the stabilised
 ## index-2 formulation of Gear, Gupta and Leimkuhler (J. Comput. Appl. Math. 12, 1985), M (q' - v) + Phi_q' mu = 0,
-## M v' + Phi_q' lambda = f, Phi = 0, Phi' = 0: positions and velocities meet their constraints at every step.
-## Steps follow from the embedded formula of order 5, in @var{solver}.tolerance (m).
+## M v' + Phi_q' lambda = f, Phi = 0, Phi' = 0: positions and velocities meet their constraints at every frame.
+##
+## Windows of many steps, or panels, are solved at once (see @code{radau_window}): twice as many as in the last one while
+## Newton's iteration converges well, half as many where it does not.  The panels' length follows from the embedded
+## formula of order 5, in @var{solver}.tolerance (m); a panel that is too long ends its window.
 ## @var{start} and @var{states} have q, v, W, D; states also lambda, a column a time of @var{times} (1-by-m, s).
 ## @end deftypefn
 
 function [states, steps] = integrate_radau (system, times, start, solver)
   persistent rule = radau_rule (5);
   states = first_states (system, times, start);
-  y = start;
-  [y.a, y.lambda, at] = constrained_accelerations (system, times(1), y.q, y.v);
+  y = setfield (start, "t", times(1));
+  [y.a, y.lambda, at] = constrained_accelerations (system, y.t, y.q, y.v);
   y.sigma = at.springs.tension;
   states.lambda(:,1) = y.lambda;
-  t = times(1);
-  h = min (diff (times)(1)/4, 1e-3*system.duration);
-  steps = 0;
-  last = [];
-  refused = 0;
-  for k = 2:numel (times)
-    while (t < times(k))
-      to_go = times(k) - t;
-      pieces = ceil (to_go/h*(1 - 1e-9));
-      step = to_go/pieces;
-      [next, error_ratio, stages, why] = radau_step (system, rule, t, y, step, last, solver.tolerance, refused > 1);
-      steps++;
-      if (error_ratio <= 1)
-        t += step;
-        if (pieces == 1)
-          t = times(k);
-        endif
-        y = next;
-        last = stages;
-        h = step*min (4, max (0.3, 0.85*max (error_ratio, 1e-12)^(-1/6)));
-        refused = 0;
-      else
-        h = step*min (0.7, max (0.1, 0.85*error_ratio^(-1/6)));
-        refused++;
+  plan = struct ("h", min (diff (times)(1)/4, 1e-3*system.duration), "panels", 1, "whole", 0, "patience", 4);
+  plan.most = max (8, min (32, floor (1e3/system.n)));
+  guess = @(t) taylor (y, t - y.t);
+  steps = refused = 0;
+  while (y.t < times(end))
+    to_go = max (1, ceil ((times(end) - y.t)/plan.h*(1 - 1e-9)));
+    count = min (to_go, plan.panels);
+    if (count == to_go)
+      plan.h = (times(end) - y.t)/count;
+    endif
+    h = plan.h;
+    [window, why] = radau_window (system, rule, y, h, count, guess, solver.tolerance, plan.whole > 0);
+    kept = find ([window.error_ratio > 1, true], 1) - 1;
+    steps += max (kept, 1);
+    if (kept > 0)
+      before = y;
+      y = after (rule, window, y, h, kept);
+      if (kept == to_go)
+        y.t = times(end);
       endif
-      if (h < 1e-10*system.duration || refused > 30)
-        [~, jacobian] = system.matrices (system.at (t, y.q, y.v));
-        refuse_dependent (system, t, jacobian, 1e-4);
-        stop_integration ("radau", system, t, system.duration, h, why, ...
-                          "a larger tolerance, or a look at the mechanism there");
-      endif
-    endwhile
-    states = keep (states, k, y);
-  endfor
+      inside = times > before.t & times <= y.t;
+      [frames, y] = radau_frames (system, rule, window, before, h, times(inside), y);
+      states = keep (states, inside, frames);
+      guess = @(t) radau_guess (system, rule, window, y, h, kept, t);
+      refused = 0;
+    else
+      refused++;
+    endif
+    plan = next_window (plan, window, count, kept);
+    if (plan.h < 1e-10*system.duration || refused > 30)
+      [~, jacobian] = system.matrices (system.at (y.t, y.q, y.v));
+      refuse_dependent (system, y.t, jacobian, 1e-4);
+      stop_integration ("radau", system, y.t, system.duration, plan.h, why, ...
+                        "a larger tolerance, or a look at the mechanism there");
+    endif
+  endwhile
 endfunction
 
-## @var{s} stages, odd: collocation at the zeros of d^(s-1)/dx^(s-1) (x^(s-1) (x - 1)^s); error formula
-## of Hairer and Wanner
-function rule = radau_rule (s)
-  p = 1;
-  for k = 1:2*s-1
-    p = conv (p, [1, -(k > s - 1)]);
+## Windows of many short panels that converge fast go further in a second than those of a few long ones, which turn or
+## vibrate too much for one matrix each.  Where even few do not converge so, the next windows (as many as there is
+## patience) have every stage's matrix.
+function plan = next_window (plan, window, panels, kept)
+  if (! window.converged && panels > 4)
+    plan.panels = ceil (panels/2);
+  elseif (! window.converged && ! plan.whole)
+    plan.whole = plan.patience;
+    plan.patience = min (2*plan.patience, 64);
+  elseif (! window.converged && panels > 1)
+    plan.panels = 1;
+  elseif (! window.converged)
+    plan.h /= 4;
+  elseif (kept < panels)
+    plan.h *= min (0.8, max (0.1, 0.85*window.error_ratio(kept+1)^(-1/6)));
+  else
+    by_error = max (0.3, 0.85*max ([window.error_ratio, 1e-12])^(-1/6));
+    by_iterations = [2 2 2 2 1.5 1.2 1.1 1 1 0.9 0.8](min (window.iterations, 11));
+    plan.h *= min (by_error, by_iterations);
+    if (plan.whole)
+      plan.whole--;
+      plan.panels = min (2*panels, 4);
+    elseif (window.iterations < 9)
+      plan.panels = min (2*panels, plan.most);
+    endif
+  endif
+endfunction
+
+function y = after (rule, window, y, h, kept)
+  s = numel (rule.c);
+  weights = rule.A(s,:).';
+  y.t += kept*h;
+  for name = {"q", "v", "a", "lambda", "sigma"}
+    y.(name{1}) = window.(name{1}){s}(:,kept);
   endfor
-  for k = 1:s-1
-    p = polyder (p);
-  endfor
-  rule.c = sort (real (roots (p))).';
-  rule.c(s) = 1;
-  powers = rule.c.'.^(0:s-1);
-  rule.A = (rule.c.'.^(1:s)./(1:s))/powers;
-  [rule.T, eigenvalues] = eig (inv (rule.A));
-  eigenvalues = diag (eigenvalues);
-  [~, order] = sort (1e3*abs (imag (eigenvalues)) - imag (eigenvalues));  # real, then the pairs, from above the axis
-  rule.T = rule.T(:,order);
-  rule.eigenvalues = eigenvalues(order);
-  first = zeros (1, s);
-  first(1) = 1;
-  rule.e = -(first/powers)*inv (rule.A);
+  y.W += h*sum (window.power(1:kept,:)*weights);
+  y.D += h*sum (window.dissipated(1:kept,:)*weights);
+endfunction
+
+function [q, v] = taylor (y, dt)
+  q = y.q + y.v*dt + y.a*(dt.^2/2);
+  v = y.v + y.a*dt;
 endfunction
 
 %!test # the elliptic function of the pendulum, at two tolerances

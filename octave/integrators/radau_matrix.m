@@ -1,19 +1,19 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{matrix}, @var{unit}, @var{compliance}] =} radau_matrix (@var{g}, @var{h}, @var{M}, @var{K}, @
 ##   @var{D}, @var{J}, @var{S}, @var{springs})
-## The matrix of Newton's iteration for one stage of a step of @var{h} (s) of @code{radau_step}, where rates are
-## @var{g} (1/s) times what q and v change by.
+## The matrix of Newton's iteration for stages of panels of @var{h} (s; see @code{radau_window}), where rates are
+## @var{g} (1/s, a number or a matrix) times what q and v change by.
 ##
 ## Unknowns are q, v, lambda, mu and the tensions, these three in units of the mass (@var{unit}, kg), so that rows and
 ## columns are of like size.  Mass @var{M}, tangents @var{K} and @var{D} (n-by-n), @var{J} = Phi_q, and @var{S}, the
 ## derivatives of the elongations of the @var{springs} (see @code{spring_forces}); a spring's row is that of its
-## elongation over the step, times its @var{compliance} (springs-by-1).
+## elongation over the step, times its @var{compliance} (as the springs' stiffness).
 ## @end deftypefn
 
 function [matrix, unit, compliance] = radau_matrix (g, h, M, K, D, J, S, springs)
   [c, n] = size (J);
   e = rows (S);
-  diagonal = @(x) spdiags (x, 0, e, e);
+  diagonal = @(x) spdiags (x(:), 0, e, e);
   unit = full (mean (abs (diag (M))));
   compliance = unit./max (h*springs.stiffness + springs.damping, eps);
   no_ties = sparse (c, c);
@@ -22,8 +22,8 @@ function [matrix, unit, compliance] = radau_matrix (g, h, M, K, D, J, S, springs
   by_place = -diagonal (compliance.*springs.stiffness)*S;
   by_rate = -diagonal (compliance.*springs.damping)*S;
   J *= unit;
-  matrix = [g*M, -M, no_tie.', J.', sparse(n, e)
-            K, g*M + D, J.', no_tie.', unit*S.'
+  matrix = [M*g, -M, no_tie.', J.', sparse(n, e)
+            K, M*g + D, J.', no_tie.', unit*S.'
             J/h, no_tie, no_ties, no_ties, no_spring
             no_tie, J, no_ties, no_ties, no_spring
             by_place, by_rate, no_spring.', no_spring.', unit*diagonal(compliance)];

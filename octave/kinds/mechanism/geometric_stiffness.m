@@ -1,31 +1,39 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{K} =} geometric_stiffness (@var{mechanism}, @var{q}, @var{F})
 ## Minus the derivative by q of the generalized forces that constant forces and moments on the markers have, @var{F} =
-## struct of x, y (N), angle (N m; markers-by-1), in the one state @var{q} (n-by-1): sparse n-by-n.
+## struct of x, y (N), angle (N m; markers-by-k), in the states @var{q} (n-by-k): sparse n-by-n, a block a state along
+## the diagonal.
 ## @end deftypefn
 
 function K = geometric_stiffness (mechanism, q, F)
-  K = sparse (mechanism.n, mechanism.n);
+  states = columns (q);
+  row = column = value = {};
   for group = mechanism.markers
     index = mechanism.groups(group.group).index(:,group.columns);
-    [R, bodies] = size (index);
     i = group.numbers;
-    Q = reshape (q(index), R, bodies);
+    R = rows (index) - 2;
+    count = columns (index)*states;
+    Q = reshape (q(index,:), R + 2, count);
     motion = struct ("phi", Q(end-2,:), "V", Q(1:end-3,:));
-    loads = struct ("force_x", F.x(i).', "force_y", F.y(i).', "force_angle", F.angle(i).');
+    flat = @(x) reshape (x(i,:), 1, count);
+    loads = struct ("force_x", flat (F.x), "force_y", flat (F.y), "force_angle", flat (F.angle));
     [phi_phi, phi_V, shortening, slope_1_1, slope_1_2, slope_2_2] = rod_marker_tangent (
       motion, loads, group.marker);
     slope_1 = group.marker.slope_1;
     slope_2 = group.marker.slope_2;
-    matrix = group.marker.shortening_matrix;
     cross = slope_1*slope_2.';
-    for b = 1:bodies
-      V_V = shortening(b)*matrix + slope_1_1(b)*(slope_1*slope_1.') + slope_1_2(b)*(cross + cross.') ...
-            + slope_2_2(b)*(slope_2*slope_2.');
-      V_and_phi = index(1:end-2,b);
-      K(V_and_phi,V_and_phi) -= [V_V, phi_V(:,b); phi_V(:,b).', phi_phi(b)];
-    endfor
+    V_V = group.marker.shortening_matrix(:)*shortening + (slope_1*slope_1.')(:)*slope_1_1 ...
+          + (cross + cross.')(:)*slope_1_2 + (slope_2*slope_2.')(:)*slope_2_2;
+    own = zeros (R, R, count);
+    own(1:end-1,1:end-1,:) = reshape (V_V, R - 1, R - 1, count);
+    own(:,end,:) = own(end,:,:) = reshape ([phi_V; phi_phi], R, 1, count);
+    V_and_phi = of_states (index(1:end-2,:), mechanism.n, states);
+    row{end+1} = repmat (reshape (V_and_phi, R, 1, count), [1 R 1])(:);
+    column{end+1} = repmat (reshape (V_and_phi, 1, R, count), [R 1 1])(:);
+    value{end+1} = -own(:);
   endfor
+  size_of_all = mechanism.n*states;
+  K = sparse (vertcat (row{:}), vertcat (column{:}), vertcat (value{:}), size_of_all, size_of_all);
 endfunction
 
 %!test # by differences
@@ -39,3 +47,9 @@ endfunction
 %!   step = h*(1:system.n == k).';
 %!   assert (K(:,k), (forces (q - step) - forces (q + step))/(2*h), 1e-8);
 %! endfor
+%!test # of two states along the diagonal
+%! [system, start] = sample_mechanism ([1 2]);
+%! q = start.q + [0 0.1];
+%! F = struct ("x", ones (10, 1)*[1 2], "y", ones (10, 1)*[3 4], "angle", zeros (10, 2));
+%! of = @(k) geometric_stiffness (system.mechanism, q(:,k), structfun (@(f) f(:,k), F, "uniformoutput", false));
+%! assert (of (1:2), blkdiag (of (1), of (2)), 1e-13);

@@ -1,11 +1,11 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{c} =} joint_constraints (@var{constraints}, @var{t}, @var{at})
-## All @var{constraints} (see @code{list_constraints}) at the times @var{t} (1-by-k) and the markers' motion @var{at}:
-## a struct of residual (Phi), rate (Phi_t), velocity (Phi_q q' + Phi_t), convection (what Phi'' is without
+## @deftypefn {} {@var{c} =} joint_constraints (@var{constraints}, @var{prescribed}, @var{at})
+## All @var{constraints} (see @code{list_constraints}) in the markers' motion @var{at}, with what they prescribe at the
+## times of its k states (see @code{prescribed_values}): a struct of residual (Phi), rate (Phi_t), velocity (Phi_q q' + Phi_t), convection (what Phi'' is without
 ## accelerations; constraints-by-k) and gradients (a cell a kind of 6 matrices, by the markers' coordinates).
 ## @end deftypefn
 
-function c = joint_constraints (constraints, t, at)
+function c = joint_constraints (constraints, prescribed, at)
   blank = zeros (constraints.count, columns (at.x));
   c.residual = c.rate = c.velocity = c.convection = blank;
   c.gradients = cell (1, numel (constraints.kinds));
@@ -20,9 +20,9 @@ function c = joint_constraints (constraints, t, at)
                    at.x_convection(s,:), at.y_convection(s,:), at.angle_convection(s,:)};
     [markers.x_1_dot, markers.y_1_dot, markers.angle_1_dot, ...
      markers.x_2_dot, markers.y_2_dot, markers.angle_2_dot] = rates{:};
-    offset = {kind.offset.*ones(1, numel (t))}(1:double (kind.takes_offset));
+    offset = {kind.offset.*ones(1, columns (at.x))}(1:double (kind.takes_offset));
     g = cell (1, 6);
-    [residual, rate, convection, g{:}] = kind.form (markers, values_at (constraints.values, kind, t), offset{:});
+    [residual, rate, convection, g{:}] = kind.form (markers, prescribed{i}, offset{:});
     velocity = rate;
     for slot = 1:6
       velocity += g{slot}.*rates{slot};
@@ -34,21 +34,6 @@ function c = joint_constraints (constraints, t, at)
     c.convection(kind.rows,:) = convection;
     c.gradients{i} = g;
   endfor
-endfunction
-
-## value, value_dot, value_ddot: rows-by-k each
-function prescribed = values_at (functions, kind, t)
-  every = ones (1, numel (t));
-  values = {kind.constant*every, 0*kind.constant*every, 0*kind.constant*every};
-  for r = kind.moving
-    for k = 1:numel (t)
-      value = functions{kind.joints(r)}(t(k));
-      for order = 1:3
-        values{order}(r,k) = value(order,kind.component(r));
-      endfor
-    endfor
-  endfor
-  prescribed = cell2struct (values, {"value", "value_dot", "value_ddot"}, 2);
 endfunction
 
 %!test # rates along a path

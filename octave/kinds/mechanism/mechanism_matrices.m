@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{mass}, @var{jacobian}, @var{spring_jacobian}] =} mechanism_matrices (@var{mechanism}, @
 ##   @var{d}, @var{at}, @var{c}, @var{springs})
-## The mass matrix (n-by-n), Phi_q (constraints-by-n) and the derivatives of the springs' elongations (springs-by-n),
-## sparse, in the one state that @var{d}, @var{at}, @var{c} and @var{springs} came from (see @code{rod_dynamics},
-## @code{marker_motion}, @code{joint_constraints}).
+## The mass matrix (n-by-n), Phi_q (constraints-by-n) and the derivatives of the springs' elongations (springs-by-n) in
+## the k states that @var{d}, @var{at}, @var{c} and @var{springs} came from (see @code{rod_dynamics},
+## @code{marker_motion}, @code{joint_constraints}): sparse, a block a state along the diagonal.
 ## @end deftypefn
 
 function [mass, jacobian, spring_jacobian] = mechanism_matrices (mechanism, d, at, c, springs)
@@ -18,51 +18,59 @@ function [mass, jacobian, spring_jacobian] = mechanism_matrices (mechanism, d, a
 endfunction
 
 function mass = mass_matrix (mechanism, d)
+  states = columns (d.force);
   row = column = value = {};
   for g = 1:numel (mechanism.groups)
     group = mechanism.groups(g);
     b = d.blocks{g};
-    [R, bodies] = size (group.index);
-    own = zeros (R, R, bodies);
+    index = of_states (group.index, mechanism.n, states);
+    [R, count] = size (index);
+    own = zeros (R, R, count);
     n = R - 3;
-    own(1:n,1:n,:) = repmat (group.model.arrays.mass_matrix, [1 1 bodies]);
+    own(1:n,1:n,:) = repmat (group.model.arrays.mass_matrix, [1 1 count]);
     last = [b.V_phi; b.phi_phi; b.phi_x; b.phi_y];
-    own(:,n+1,:) = own(n+1,:,:) = reshape (last, R, 1, bodies);
-    own(1:n,n+2,:) = own(n+2,1:n,:) = reshape (b.V_x, n, 1, bodies);
-    own(1:n,n+3,:) = own(n+3,1:n,:) = reshape (b.V_y, n, 1, bodies);
+    own(:,n+1,:) = own(n+1,:,:) = reshape (last, R, 1, count);
+    own(1:n,n+2,:) = own(n+2,1:n,:) = reshape (b.V_x, n, 1, count);
+    own(1:n,n+3,:) = own(n+3,1:n,:) = reshape (b.V_y, n, 1, count);
     own(n+2,n+2,:) = own(n+3,n+3,:) = group.model.arrays.mass;
-    own(n+1,n+2,:) = own(n+2,n+1,:) = reshape (b.phi_x, 1, 1, bodies);
-    own(n+1,n+3,:) = own(n+3,n+1,:) = reshape (b.phi_y, 1, 1, bodies);
-    row{g} = repmat (reshape (group.index, R, 1, bodies), [1 R 1])(:);
-    column{g} = repmat (reshape (group.index, 1, R, bodies), [R 1 1])(:);
+    own(n+1,n+2,:) = own(n+2,n+1,:) = reshape (b.phi_x, 1, 1, count);
+    own(n+1,n+3,:) = own(n+3,n+1,:) = reshape (b.phi_y, 1, 1, count);
+    row{g} = repmat (reshape (index, R, 1, count), [1 R 1])(:);
+    column{g} = repmat (reshape (index, 1, R, count), [R 1 1])(:);
     value{g} = own(:);
   endfor
-  mass = sparse (vertcat (row{:}), vertcat (column{:}), vertcat (value{:}), mechanism.n, mechanism.n);
+  size_of_all = mechanism.n*states;
+  mass = sparse (vertcat (row{:}), vertcat (column{:}), vertcat (value{:}), size_of_all, size_of_all);
 endfunction
 
-## constraints-by-(3 markers)
+## constraints-by-(3 markers), of each state
 function by = by_markers (count, constraints, c)
-  by = sparse (constraints.count, 3*count);
+  states = columns (c.residual);
+  row = column = value = {};
   for i = 1:numel (c.gradients)
     kind = constraints.kinds(i);
-    g = c.gradients{i};
+    row{end+1} = repmat (of_states (kind.rows(:), constraints.count, states)(:), 6, 1);
     for slot = 1:3
-      by += sparse (kind.rows, kind.first + (slot - 1)*count, g{slot}, rows (by), columns (by));
-      by += sparse (kind.rows, kind.second + (slot - 1)*count, g{slot+3}, rows (by), columns (by));
+      column{end+1} = [of_states(kind.first(:) + (slot - 1)*count, 3*count, states)(:)
+                       of_states(kind.second(:) + (slot - 1)*count, 3*count, states)(:)];
+      value{end+1} = [c.gradients{i}{slot}(:); c.gradients{i}{slot+3}(:)];
     endfor
   endfor
+  by = sparse (vertcat (row{:}), vertcat (column{:}), vertcat (value{:}), constraints.count*states, 3*count*states);
 endfunction
 
 function by = markers_by_coordinates (mechanism, at)
-  count = mechanism.marker_count;
-  by = sparse (3*count, mechanism.n);
+  [count, states] = size (at.x);
+  row = column = value = {};
   for part = at.parts
     part = part{1};
     R = rows (part.index);
-    numbers = repmat (part.numbers(:).', R, 1);
-    by += sparse ([numbers(:); numbers(:) + count; numbers(:) + 2*count], repmat (part.index(:), 3, 1), ...
-                  [part.x_q(:); part.y_q(:); part.angle_q(:)], 3*count, mechanism.n);
+    number = repmat (of_states (part.numbers(:), 3*count, states)(:).', R, 1)(:);
+    row{end+1} = [number; number + count; number + 2*count];
+    column{end+1} = repmat (of_states (part.index, mechanism.n, states)(:), 3, 1);
+    value{end+1} = [part.x_q(:); part.y_q(:); part.angle_q(:)];
   endfor
+  by = sparse (vertcat (row{:}), vertcat (column{:}), vertcat (value{:}), 3*count*states, mechanism.n*states);
 endfunction
 
 %!test # kinetic energy, and the constraints' rates
@@ -71,3 +79,13 @@ endfunction
 %! [mass, jacobian] = system.matrices (at);
 %! assert (v.'*mass*v/2, mechanism_energies (system.mechanism, q, v)(1), 1e-12);
 %! assert (jacobian*v, at.constraints.velocity, 1e-12);
+%!test # those of several states along the diagonal
+%! [system, start] = sample_mechanism ([1 2]);
+%! q = start.q + [0, 0.1]; v = [start.v, start.q];
+%! together = separate = cell (1, 3);
+%! [together{:}] = system.matrices (system.at ([0 0.1], q, v));
+%! for k = 1:2
+%!   [of_one{1:3}] = system.matrices (system.at (0.1*(k - 1), q(:,k), v(:,k)));
+%!   separate = cellfun (@blkdiag, separate, of_one, "uniformoutput", false);
+%! endfor
+%! cellfun (@(a, b) assert (a, sparse (b), 1e-13), together, separate);

@@ -14,12 +14,12 @@
 ## @item inertia (at, a), reaction (at, lambda), spring_reaction (at, tension)
 ## M a, Phi_q' lambda and the same of the springs, whose part of f is minus that of their tension
 ## @item tangent (at, lambda, tension)
-## minus the derivative of f - Phi_q' lambda by q in one state, less what inertia forces have in it and less that of
-## the tensions themselves (n-by-n)
+## minus the derivative of f - Phi_q' lambda by q, less what inertia forces have in it and less that of the tensions
+## themselves (sparse n-by-n, a block a state along the diagonal)
 ## @item convection (at, v)
 ## (dM/dt) v: with f it is dL/dq of one state
 ## @item matrices (at)
-## sparse M, Phi_q and the derivatives of the springs' elongations of one state
+## M, Phi_q and the derivatives of the springs' elongations, likewise
 ## @item energies (q, v, at)
 ## [T; U; Z]
 ## @end table
@@ -46,15 +46,16 @@ function system = mechanism_system (scene, mechanism)
   endfor
   q = v = zeros (system.n, 1);
   system.mass = mechanism_matrices (mechanism, rod_dynamics (mechanism, q, v));
+  system.prescribed = @(t) prescribed_at (mechanism, t);
   system.at = @(t, q, v) everything (mechanism, t, q, v);
   system.inertia = @(at, a) inertia_times (mechanism, at.rods, a);
   system.reaction = @(at, lambda) forces_of_markers (
     mechanism, at.markers, reactions (mechanism, mechanism.constraints, at.constraints, lambda));
   system.spring_reaction = @(at, tension) forces_of_markers (
     mechanism, at.markers, reactions (mechanism, mechanism.springs, at.springs, tension));
-  system.tangent = @(at, lambda, tension) system.stiffness;
+  system.tangent = @(at, lambda, tension) along_diagonal (system.stiffness, at);
   if (! isempty (mechanism.loads) || mechanism.springs.count > 0)  # weight and joints alone need no more
-    system.tangent = @(at, lambda, tension) system.stiffness + geometric_stiffness (
+    system.tangent = @(at, lambda, tension) along_diagonal (system.stiffness, at) + geometric_stiffness (
       mechanism, at.q, forces_on_markers (mechanism, at, lambda, tension));
   endif
   system.convection = @(at, v) rod_convection (mechanism, at.q, v);
@@ -62,16 +63,32 @@ function system = mechanism_system (scene, mechanism)
   system.energies = @(q, v, at) mechanism_energies (mechanism, q, v) + [0; 1; 0]*at.springs.energy;
 endfunction
 
+function prescribed = prescribed_at (mechanism, t)
+  prescribed = struct ("t", t, "constraints", {prescribed_values(mechanism.constraints, t)}, "loads", {{}});
+  for j = 1:numel (mechanism.loads)
+    prescribed.loads{j} = zeros (3, numel (t));
+    prescribed.loads{j}(mechanism.loads(j).parts,:) = at_times (mechanism.loads(j).value, t);
+  endfor
+endfunction
+
 function at = everything (mechanism, t, q, v)
+  if (isnumeric (t))
+    t = prescribed_at (mechanism, t);
+  endif
   at.q = q;
   at.rods = rod_dynamics (mechanism, q, v);
   at.markers = marker_motion (mechanism, q, v);
-  at.constraints = joint_constraints (mechanism.constraints, t, at.markers);
+  at.constraints = joint_constraints (mechanism.constraints, t.constraints, at.markers);
   at.springs = spring_forces (mechanism, at.markers);
-  [at.loads, at.power] = applied_forces (mechanism, t, at.markers);
+  [at.loads, at.power] = applied_forces (mechanism, t.loads, at.markers);
   F = forces_on_markers (mechanism, at, 0*at.constraints.residual, at.springs.tension);
   at.force = at.rods.force + forces_of_markers (mechanism, at.markers, F);
   at.dissipated = at.rods.dissipated + at.springs.dissipated;
+endfunction
+
+## the same of every state
+function K = along_diagonal (K, at)
+  K = kron (speye (columns (at.q)), K);
 endfunction
 
 function F = forces_on_markers (mechanism, at, lambda, tension)

@@ -8,7 +8,7 @@
 function springs = spring_forces (mechanism, at)
   every = ones (1, columns (at.x));
   list = mechanism.springs;
-  springs = joint_constraints (list, every, at);
+  springs = joint_constraints (list, prescribed_values (list, every), at);
   [energy, dissipated, springs.tension, springs.stiffness, springs.damping] = ...
     spring_law (springs.residual, springs.velocity, list.stiffness*every, list.damping*every);
   springs.energy = sum (energy, 1);

@@ -1,0 +1,153 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{window}, @var{why}] =} radau_window (@var{system}, @var{rule}, @var{y}, @var{h}, @var{panels}, @
+##   @var{guess}, @var{tolerance}, @var{whole})
+## So many @var{panels} of @var{h} (s) of @code{integrate_radau} from the state @var{y} (t, q, v, a, lambda, sigma) on:
+## the equations of all stages of all panels are evaluated at once, and Newton's iteration goes through all of them, from
+## [q, v] = @var{guess} (times) on.
+##
+## @var{window}: converged (otherwise it says @var{why}), iterations, error_ratio (1-by-panels, above 1: too long), and
+## of the panels q, v, a, lambda, sigma (cells of a stage each, rows-by-panels), q_start, v_start, power and dissipated
+## (panels-by-stages, W).
+##
+## The springs' tensions sigma are unknowns of Newton's iteration, as multipliers are: for stiff springs it converges
+## then as for the joints that they tend to; otherwise k would multiply what their directions turn within the step.
+##
+## Newton's matrix is that of each panel's middle stage, or, where @var{whole} is true, of every stage where it is, which
+## costs more: where stiff rods turn much within a panel, and beyond a singular position, where the constraints'
+## gradients point the other way, one matrix would not do.
+## @end deftypefn
+
+function [window, why] = radau_window (system, rule, y, h, panels, guess, tolerance, whole = false)
+  s = numel (rule.c);
+  scale = tolerance*system.q_scale;
+  x.t = reshape (y.t + h*((0:panels-1).' + rule.c), 1, []);
+  middle = (s - 1)/2*panels + (1:panels);
+  [x.prescribed, x.prescribed_middle] = deal (system.prescribed (x.t), system.prescribed (x.t(middle)));
+  [x.q, x.v] = guess (x.t);
+  x.lambda = repmat (y.lambda, 1, panels*s);
+  x.sigma = repmat (y.sigma, 1, panels*s);
+  x.mu = 0*x.lambda;
+  window = struct ("converged", false, "iterations", 0, "error_ratio", Inf);
+  why = "its Newton iteration did not converge";
+  change = rate = NaN;
+  do
+    window.iterations++;
+    if (window.iterations == 1 || (! whole && (window.iterations == 2 || rate > 0.4)))
+      factors = middle_factors (system, rule, h, panels, x);
+    endif
+    [residual, at] = residual_of (system, rule, h, panels, y, x, factors);
+    if (! all (cellfun (@(r) all (isfinite (r(:))), residual)))
+      why = "its loads or states are no numbers";
+      return;
+    endif
+    if (whole)
+      step = radau_whole_step (system, rule, h, panels, at, x, residual);
+    else
+      step = radau_step (factors, cellfun (@(r) reshape (r, [], s), residual, "uniformoutput", false), panels);
+    endif
+    step = cellfun (@(d) reshape (d, [], panels*s), step, "uniformoutput", false);
+    x.q += step{1};
+    x.v += step{2};
+    x.lambda += step{3}*factors.unit;
+    x.mu += step{4}*factors.unit;
+    x.sigma += step{5}*factors.unit;
+    before = change;
+    change = max (max (abs ([step{1}; h*step{2}])./[scale; scale]));
+    rate = change/before;
+    met = ! whole || (all (abs (at.constraints.residual)(:) <= 1e-11) && all (abs (at.constraints.velocity)(:) <= 1e-9));
+    settled = whole && change <= 0.05 && rate > 1/2;  # as near as rounding lets it, at a singular position
+    window.converged = change < 1e-7 || (met && (change*rate <= 1e-3*(1 - rate) || settled));
+    left = 15 - window.iterations;
+    hopeless = ! (change < 1e8) || left == 0 || (window.iterations > 3 && change*min (rate, 1)^left > 1);
+  until (window.converged || hopeless)
+  if (window.converged)
+    why = "its steps shrank to nothing";
+    window = finished (window, rule, factors, h, panels, y, x, at, scale);
+  endif
+endfunction
+
+function factors = middle_factors (system, rule, h, panels, x)
+  middle = (numel (rule.c) - 1)/2*panels + (1:panels);
+  at = system.at (x.prescribed_middle, x.q(:,middle), x.v(:,middle));
+  [mass, jacobian, spring_jacobian] = system.matrices (at);
+  tangent = system.tangent (at, x.lambda(:,middle), x.sigma(:,middle));
+  damping = kron (speye (panels), system.damping_matrix);
+  factors = radau_factors (rule, h, mass, tangent, damping, jacobian, spring_jacobian, at.springs, panels);
+endfunction
+
+## where panels begin: at y, and where the one before them ends
+function x = started (x, y, panels)
+  x = [y, x(:,end-panels+1:end-1)];
+endfunction
+
+## derivatives by time of the polynomials through a panel's start and stages
+function x_dot = rates (rule, h, panels, x, y)
+  from_start = x - repmat (started (x, y, panels), 1, numel (rule.c));
+  x_dot = reshape (reshape (from_start, [], numel (rule.c))*rule.inverse.'/h, rows (x), []);
+endfunction
+
+## what is left, with the other sign, in the units of radau_matrix
+function [residual, at] = residual_of (system, rule, h, panels, y, x, factors)
+  at = system.at (x.prescribed, x.q, x.v);
+  u = rates (rule, h, panels, x.q, y.q);
+  a = rates (rule, h, panels, x.v, y.v);
+  excess = x.sigma - at.springs.tension;
+  residual = {-system.inertia(at, u - x.v) - system.reaction(at, x.mu)
+              at.force - system.inertia(at, a) - system.reaction(at, x.lambda) - system.spring_reaction(at, excess)
+              -at.constraints.residual*factors.unit/h
+              -at.constraints.velocity*factors.unit
+              -repmat(factors.compliance, 1, numel (rule.c)).*excess};
+endfunction
+
+function window = finished (window, rule, factors, h, panels, y, x, at, scale)
+  s = numel (rule.c);
+  x.a = rates (rule, h, panels, x.v, y.v);
+  window.q_start = started (x.q, y.q, panels);
+  window.v_start = started (x.v, y.v, panels);
+  window.error_ratio = embedded_error (rule, factors, h, x, window, started (x.a, y.a, panels), scale);
+  for name = {"q", "v", "a", "lambda", "sigma"}
+    window.(name{1}) = mat2cell (x.(name{1}), rows (x.(name{1})), panels*ones (1, s));
+  endfor
+  window.power = reshape (at.power + sum (x.lambda.*at.constraints.rate, 1), panels, s);
+  window.dissipated = reshape (at.dissipated, panels, s);
+endfunction
+
+## filtered by the real factors, so that stiff modes count as what they will be
+function ratio = embedded_error (rule, factors, h, x, window, a_start, scale)
+  beyond = @(x, start, rate) factors.M*(reshape (x - repmat (start, 1, numel (rule.c)), [], numel (rule.c))*rule.e.'/h ...
+                                        + rate(:));
+  none = @(m) zeros (m, 1);
+  off = radau_solve (factors, 1, {beyond(x.q, window.q_start, window.v_start), beyond(x.v, window.v_start, a_start), ...
+                                  none(factors.ties_count), none(factors.ties_count), none(rows (factors.stiff))});
+  off = [reshape(off{1}, numel (scale), []); h*reshape(off{2}, numel (scale), [])];
+  ratio = max (abs (off)./[scale; scale], [], 1);
+endfunction
+
+%!test # windows of one and of three panels leave the same state, on its constraints
+%! [system, start] = sample_mechanism ([0 1]);
+%! y = setfield (start, "t", 0);
+%! [y.a, y.lambda, at] = constrained_accelerations (system, 0, y.q, y.v);
+%! y.sigma = at.springs.tension;
+%! still = @(t) deal (repmat (y.q, size (t)), repmat (y.v, size (t)));
+%! window = radau_window (system, radau_rule (5), y, 0.002, 3, still, 1e-9);
+%! assert (window.converged);
+%! for p = 1:3
+%!   one = radau_window (system, radau_rule (5), y, 0.002, 1, still, 1e-9);
+%!   for name = {"q", "v", "a", "lambda", "sigma"}
+%!     y.(name{1}) = one.(name{1}){5};
+%!   endfor
+%!   y.t += 0.002;
+%!   assert (y.q, window.q{5}(:,p), 1e-11);
+%!   assert (y.v, window.v{5}(:,p), 1e-9);
+%!   assert (one.error_ratio, window.error_ratio(p), 1e-2*window.error_ratio(p));
+%! endfor
+%! at = system.at (y.t, y.q, y.v);
+%! assert (abs (at.constraints.residual) < 1e-10); assert (abs (at.constraints.velocity) < 1e-8);
+%!test # of one panel, with every stage's own matrix
+%! [system, start] = sample_mechanism ([0 1]);
+%! y = setfield (start, "t", 0);
+%! [y.a, y.lambda, at] = constrained_accelerations (system, 0, y.q, y.v);
+%! y.sigma = at.springs.tension;
+%! still = @(t) deal (repmat (y.q, size (t)), repmat (y.v, size (t)));
+%! q = @(whole) radau_window (system, radau_rule (5), y, 0.01, 1, still, 1e-9, whole).q{5};
+%! assert (q (true), q (false), 1e-11);

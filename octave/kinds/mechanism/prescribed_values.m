@@ -1,0 +1,32 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{values} =} prescribed_values (@var{constraints}, @var{t})
+## What the @var{constraints} (see @code{list_constraints}) prescribe at the times @var{t} (1-by-k): a cell a kind of
+## them, a struct of value, value_dot, value_ddot (rows-by-k).
+## @end deftypefn
+
+function values = prescribed_values (constraints, t)
+  values = cell (1, numel (constraints.kinds));
+  every = ones (1, numel (t));
+  for i = 1:numel (constraints.kinds)
+    kind = constraints.kinds(i);
+    orders = {kind.constant*every, 0*kind.constant*every, 0*kind.constant*every};
+    for j = unique (kind.joints(kind.moving)).'
+      mine = find (kind.joints == j);
+      for k = 1:numel (t)
+        value = constraints.values{j}(t(k));
+        for order = 1:3
+          orders{order}(mine,k) = value(order,kind.component(mine));
+        endfor
+      endfor
+    endfor
+    values{i} = cell2struct (orders, {"value", "value_dot", "value_ddot"}, 2);
+  endfor
+endfunction
+
+%!test # a position that moves has two components in two kinds, beside a joint that stands
+%! kind = @(component) struct ("joints", [1; 2], "moving", 2, "component", component*[1; 1], "constant", [7; 0]);
+%! constraints = struct ("kinds", [kind(1), kind(2)]);
+%! constraints.values = {@(t) error ("not asked"), @(t) [t, 2*t; 1, 2; 0, 0]};
+%! values = prescribed_values (constraints, [0 3]);
+%! assert (values{1}.value, [7 7; 0 3]); assert (values{2}.value, [7 7; 0 6]);
+%! assert (values{2}.value_dot, [0 0; 2 2]); assert (values{1}.value_ddot, zeros (2));
