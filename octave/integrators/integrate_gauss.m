@@ -5,15 +5,14 @@
 ## stretching.
 ##
 ## Between two times as many equal steps are taken, doubled again and again, as bring the last doubling's change of place
-## within the interval's share of @var{solver}.tolerance (m), and the energy balance within @var{solver}.balance (3e-9
-## where there is no such field) of the largest energy, or of its floor system.energy_floor: a rod at rest has none to
-## measure by.  Oscillations of stretching too fast for that keep their energy, not their phase.
+## within the interval's share of @var{solver}.tolerance (m), and the energy balance within 3e-9 of the
+## largest energy, or of its floor system.energy_floor: a rod at rest has none to measure by.  Oscillations of stretching too fast for that keep their energy, not their phase.
 ## @end deftypefn
 
 function [states, steps] = integrate_gauss (system, times, y, solver)
   states = repmat (y, 1, numel (times));
   method = collocation (4);
-  balance = balance_of (solver);
+  balance = 3e-9;
   steps = 0;
   m = 2;
   n = system.n;
@@ -50,13 +49,6 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
   endfor
 endfunction
 
-function balance = balance_of (solver)
-  balance = 3e-9;
-  if (isfield (solver, "balance"))
-    balance = solver.balance;
-  endif
-endfunction
-
 ## how far the energy balance moves between two states, beyond rounding, as a part of the largest change of an energy
 function [drift, largest] = energy_drift (system, before, after, largest)
   n = system.n;
@@ -73,7 +65,7 @@ function y = march (system, method, interval, y, m)
   n = system.n;
   acceleration = [];
   for i = 1:m
-    t = interval(1) + h*(i - 1 + method.points.');
+    t = interval(1) + h*(i - 1);
     z = y(1:n);
     z_dot = y(n+1:2*n);
     if (isempty (acceleration))
@@ -81,44 +73,14 @@ function y = march (system, method, interval, y, m)
     else
       acceleration *= method.onward.';
     endif
-    [acceleration, stages, converged] = solve_stages (system, method, t, h, z, z_dot, acceleration);
-    if (! converged)
+    [acceleration, stages, ~, message] = collocation_stages (system, method, t, h, z, z_dot, acceleration, 1e-12*system.points(end));
+    if (! isempty (message))
       y(:) = NaN;
       return;
     endif
-    power = system.power (t, stages{:});
+    power = system.power (t + h*method.points.', stages{:});
     y = [z + h*z_dot + h^2*acceleration*method.second_weights.'; z_dot + h*acceleration*method.weights.'; ...
          y(2*n+1) + h*(power*method.weights.')];
-  endfor
-endfunction
-
-function [a, stages, converged] = solve_stages (system, method, t, h, z, z_dot, a)
-  n = system.n;
-  converged = false;
-  last = Inf;
-  factors = [];
-  for sweep = 1:25
-    stages = {z + h*z_dot*method.points.' + h^2*a*method.AA.', z_dot + h*a*method.A.'};
-    R = system.residual (t, stages{:}, a);
-    if (! all (isfinite (R(:))))
-      return;
-    endif
-    if (isempty (factors))
-      M = system.mass_matrix (stages{1}(:,2));
-      K = system.tangent_stiffness (t(2), stages{1}(:,2), stages{2}(:,2), a(:,2));
-      [factors, upper, order] = lu (kron (eye (4), M) + h^2*kron (method.AA, K), "vector");
-    endif
-    change = -reshape (upper \ (factors \ R(:)(order)), n, 4);
-    a += change;
-    size = system.size (h^2*change);
-    if (size <= 1e-15*system.points(end) || (size <= 1e-12*system.points(end) && size >= last/2))
-      converged = true;
-      stages = {z + h*z_dot*method.points.' + h^2*a*method.AA.', z_dot + h*a*method.A.'};
-      return;
-    elseif (sweep > 5 && ! (size < last))
-      return;
-    endif
-    last = size;
   endfor
 endfunction
 
@@ -151,4 +113,4 @@ endfunction
 %!                 "model", struct ("modes", [3 3]), "rod", struct ("length", 0.5, "EA", 50, "EI", 0.1, "rhoA", 2));
 %! system = surface_rod (check_surface_scene (scene));
 %! system.residual = @(t, z, varargin) NaN (size (z));
-%! integrate (system, [0 0.1], struct ("name", "auto", "tolerance", 1e-9));
+%! integrate (system, [0 0.1], struct ("name", "gauss", "tolerance", 1e-9));

@@ -46,9 +46,6 @@ function scene = check_surface_scene (given)
     "force",      scene.force,      3, "3 numbers, F_x, F_y and F_z in N", [], false
   });
   [scene.moment_breaks, scene.probed] = load_breaks (loads, scene.moment_breaks, scene);
-  for name = {"moment", "tip_moment", "force"}
-    scene.(name{1}) = load_function (scene.(name{1}));
-  endfor
 endfunction
 
 function check_value (name, value, kind)
@@ -86,13 +83,6 @@ function refuse_unknown (given, prefix, names)
   endfor
 endfunction
 
-function f = load_function (given)
-  f = given;
-  if (isnumeric (given))
-    f = @(t) given(:);
-  endif
-endfunction
-
 %!function scene = smallest ()
 %!  scene = struct ("surface", struct ("name", "sphere", "radius", 1), "duration", 1, ...
 %!                  "rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1));
@@ -101,7 +91,7 @@ endfunction
 %!test # defaults are filled in
 %! scene = check_surface_scene (smallest ());
 %! assert (scene.solver.tolerance, 1/1440);
-%! assert (scene.rod.EI_normal, 1); assert (scene.gravity, 9.81); assert (scene.force (3), [0; 0; 0]);
+%! assert (scene.rod.EI_normal, 1); assert (scene.gravity, 9.81); assert (scene.force, [0 0 0]);
 %!error <surface is a char: it takes a struct> check_surface_scene (setfield (smallest (), "surface", "bowl"))
 %!error <rod.EA is -1: it takes positive number in N> check_surface_scene (setfield (smallest (), "rod", "EA", -1))
 %!error <rod.EI is missing> check_surface_scene (setfield (smallest (), "rod", struct ("length", 1, "EA", 1)))

@@ -14,7 +14,7 @@ function kind = surface_kind ()
   kind.build = @(scene, rung) surface_rod (setfield (scene, "model", "modes", rung));
   kind.system = @(scene, model) model;
   kind.observe = @observe_surface;
-  kind.tighter = @tighter;
+  kind.tighter = @(solver, off) setfield (solver, "tolerance", solver.tolerance*min (max ((5e-8/off)^1.5, 1e-3), 0.1));
   kind.dropped = @(scene, run, reference) [];
   kind.instead = @(scene) "";
   kind.foreseen = @(scene, model) {};
@@ -26,7 +26,7 @@ function kind = surface_kind ()
   kind.exact = @(scene) deal ([], false);
   kind.literal = @(scene) [];
   kind.sized = @model_of_size;
-  kind.references = {"gauss", 1e-9; "lsode_bdf", 1e-8};
+  kind.references = {"radau", 1e-10; "lsode_bdf", 1e-8};
 endfunction
 
 function [rung, note] = stated_rung (scene)
@@ -35,15 +35,6 @@ function [rung, note] = stated_rung (scene)
   if (isnumeric (scene.model.modes))
     rung = scene.model.modes;
   endif
-endfunction
-
-## from a third of what integrate_gauss keeps it to on
-function solver = tighter (solver, off)
-  balance = 3e-9;
-  if (isfield (solver, "balance"))
-    balance = min (solver.balance, balance);
-  endif
-  solver.balance = balance/3;
 endfunction
 
 function run = observe_surface (scene, model, system, times, states)

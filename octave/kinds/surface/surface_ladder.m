@@ -16,7 +16,7 @@ function ladder = surface_ladder (scene)
   ladder.label = @(rung) sprintf ("%d", rung(1));
   ladder.labels = "polynomials of each of the chart's coordinates";
   ladder.curve = @(rung) "rungs";
-  ladder.solver = setfield (setfield (scene.solver, "name", "auto"), "balance", Inf);
+  ladder.solver = setfield (scene.solver, "name", "auto");
   ladder.name = @(rung) sprintf ("%d + %d polynomials", rung);
 endfunction
 

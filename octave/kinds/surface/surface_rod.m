@@ -28,6 +28,7 @@ function system = surface_rod (scene)
   r = scene.rod;
   system.rod = r;
   system.gravity = scene.gravity;
+  system.duration = scene.duration;
   inside = surface_basis (scene, system.place, system.points);
   ends = surface_basis (scene, system.place, [0; r.length]);
   system.fields = @(z, z_dot, z_ddot, stations) fields_of_basis (surface_basis (scene, system.place, stations), z, z_dot, ...
@@ -46,6 +47,7 @@ function system = surface_rod (scene)
   system.refuse_singular (start, "at the start");
   scale = lengths_per_coordinate (surface, fields_of_basis (inside, start, velocity, start));
   system.size = @(z) max (max (abs (inside.values{1}*z)*scale(1), abs (inside.values{2}*z)*scale(2))(:));
+  start = quasi_stationary (system, start, velocity, scene.solver.tolerance/20);
   system.mass = system.mass_matrix (start);
   system.stiffness = system.tangent_stiffness (0, start, velocity, start);
   per_coordinate = 1./max (max (abs (inside.values{1}))*scale(1), max (abs (inside.values{2}))*scale(2)).';
@@ -53,9 +55,8 @@ function system = surface_rod (scene)
   system.state_scale = [per_coordinate; per_coordinate/scene.duration; ...
                         r.rhoA*r.length*abs(scene.gravity) + r.EI/r.length^2];
   system.breaks = scene.moment_breaks;
-  system.duration = scene.duration;
   system.forms = {"rate", "residual"};
-  system.auto = "gauss";
+  system.auto = "radau";
   system.warnings = {};
   system.energy_rows = numel (system.initial_state);
 endfunction
@@ -74,29 +75,41 @@ endfunction
 
 ## generalized forces of the loads at both ends
 function Q = load_of (t, z, ends, system, scene)
-  m = columns (z);
+  loads = [at_times(scene.moment, t); at_times(scene.tip_moment, t); at_times(scene.force, t)];
+  if (! any (loads(:)))
+    Q = 0*z;
+    return;
+  endif
+  loads = repmat (loads, 1, columns (z)/numel (t));
+  none = 0*loads(1,:);
   f = fields_of_basis (ends, z, z, z);
-  often = m/numel (t);
-  force = repmat (at_times (scene.force, t), 1, often);
-  both = repmat ([at_times(scene.moment, t); at_times(scene.tip_moment, t)], 1, often);
-  none = zeros (1, m);
-  [d{1:4}] = system.surface.point_loads (f, struct ("force_1", [none; force(1,:)], "force_2", [none; force(2,:)], ...
-                                             "force_3", [none; force(3,:)], "moment", both));
+  [d{1:4}] = system.surface.point_loads (f, struct ("force_1", [none; loads(3,:)], "force_2", [none; loads(4,:)], ...
+                                             "force_3", [none; loads(5,:)], "moment", loads(1:2,:)));
   Q = ends.values{1}.'*d{1} + ends.values{2}.'*d{2} + ends.slopes{1}.'*d{3} + ends.slopes{2}.'*d{4};
 endfunction
 
+## a page a state
 function M = mass_matrix (z, b, system, rod)
-  fields = fields_of_basis (b, z, z, z);
-  [m_11, m_12, m_22] = system.surface.mass (fields, rod);
-  w = system.weights;
-  M = b.values{1}.'*((w.*m_11).*b.values{1}) + b.values{2}.'*((w.*m_22).*b.values{2});
-  mixed = b.values{1}.'*((w.*m_12).*b.values{2});
-  M += mixed + mixed.';
+  fields = fields_of_basis (b, z, 0*z, 0*z);
+  densities = cell (1, 3);
+  [densities{:}] = system.surface.mass (fields, rod);
+  turning = cell (1, 4);
   if (rod.rhoI > 0)
-    [per_rate{1:4}] = system.surface.turning (fields);
-    A = per_rate{1}.*b.values{1} + per_rate{2}.*b.values{2} + per_rate{3}.*b.slopes{1} + per_rate{4}.*b.slopes{2};
-    M += A.'*(rod.rhoI*w.*A);
+    [turning{:}] = system.surface.turning (fields);
   endif
+  M = zeros (rows (z), rows (z), columns (z));
+  for k = 1:columns (z)
+    of_state = @(density) system.weights.*density(:,k);
+    mixed = b.values{1}.'*(of_state (densities{2}).*b.values{2});
+    own = b.values{1}.'*(of_state (densities{1}).*b.values{1}) + b.values{2}.'*(of_state (densities{3}).*b.values{2}) ...
+          + mixed + mixed.';
+    if (rod.rhoI > 0)
+      rate = turning{1}(:,k).*b.values{1} + turning{2}(:,k).*b.values{2} ...
+             + turning{3}(:,k).*b.slopes{1} + turning{4}(:,k).*b.slopes{2};
+      own += rate.'*(rod.rhoI*system.weights.*rate);
+    endif
+    M(:,:,k) = own;
+  endfor
 endfunction
 
 function y_dot = rate (t, y, interval, system)
@@ -105,8 +118,9 @@ function y_dot = rate (t, y, interval, system)
   z = y(1:n,:);
   z_dot = y(n+1:2*n,:);
   R = system.residual (t, z, z_dot, zeros (size (z)));
+  M = system.mass_matrix (z);
   for k = 1:columns (y)
-    z_ddot(:,k) = -(system.mass_matrix (z(:,k)) \ R(:,k));
+    z_ddot(:,k) = -(M(:,:,k) \ R(:,k));
   endfor
   y_dot = [z_dot; z_ddot; system.power(t, z, z_dot)];
 endfunction

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{K} =} tangent_stiffness (@var{system}, @var{t}, @var{z}, @var{z_dot}, @var{z_ddot})
-## Derivative of the residual of a rod on a surface (see @code{surface_rod}) by z (n-by-n, N per unit of z), all
-## columns in one call.
+## Derivative of the residual of a rod on a surface (see @code{surface_rod}) by z at k times and states (n-by-k each):
+## n-by-n-by-k, N per unit of z, all columns in one call.
 ##
 ## It is the imaginary part after an imaginary step (Squire and Trapp, SIAM Review 40, 1998): nothing is subtracted, so
 ## that the step can be as small as it likes, and K is exact to rounding.  Derived functions are analytic; a surface of
@@ -9,10 +9,12 @@
 ## @end deftypefn
 
 function K = tangent_stiffness (system, t, z, z_dot, z_ddot)
-  n = system.n;
+  [n, k] = size (z);
   step = 1e-30*system.points(end);
   all_of = @(x) repmat (x, 1, n);
-  K = imag (system.residual (t, all_of (z) + 1i*step*eye (n), all_of (z_dot), all_of (z_ddot)))/step;
+  each = kron (eye (n), ones (1, k));
+  R = system.residual (t, all_of (z) + 1i*step*each, all_of (z_dot), all_of (z_ddot));
+  K = permute (reshape (imag (R)/step, n, k, n), [1 3 2]);
 endfunction
 
 %!test # of a rod that is stretched on the plane: EA/l in the first polynomial, by 2/l squared
@@ -22,6 +24,15 @@ endfunction
 %! K = tangent_stiffness (system, 0, zeros (6, 1), zeros (6, 1), zeros (6, 1));
 %! assert (K(2,2), 3*2, 1e-13);
 %! assert (K, K.', 1e-13);
+
+%!test # two states at once
+%! scene = struct ("surface", struct ("name", "sphere", "radius", 1), "duration", 1, "force", @(t) [t 0 0], ...
+%!                 "rod", struct ("length", 1, "EA", 3, "EI", 1, "rhoA", 1), "model", struct ("modes", [3 3]));
+%! system = surface_rod (check_surface_scene (scene));
+%! z = [0.1; 0.2; 0; 0; 0.1; 0]*[0 1];
+%! K = tangent_stiffness (system, [0 1], z, z, 2*z);
+%! assert (size (K), [6 6 2]);
+%! assert (K(:,:,2), tangent_stiffness (system, 1, z(:,2), z(:,2), 2*z(:,2)), 1e-13);
 
 %!function omega = frequencies_on_sphere (N)   # of a free rod on a great circle, 1 rad of it
 %!  scene = struct ("surface", struct ("name", "sphere", "radius", 0.7), "duration", 1, "gravity", 0, ...
