@@ -80,3 +80,14 @@ endfunction
 %! stepper = generalized_alpha (system, 0.5, struct ("rho_infinity", 0.8));
 %! [z, converged] = stepper.step (1, stepper.form ([2; 3]));
 %! assert (converged); assert (z, [2 + 0.5*1.25; 3.5], 1e-15);
+%!test # damping: m x'' + d x' + k x = 0 from x = 1, to the order two in steps of 0.01
+%! system = struct ("mass", 2, "stiffness", 8, "damping_matrix", 3, "accelerations", ...
+%!                  struct ("rate", @(t, z) [z(2); -(3*z(2) + 8*z(1))/2], "form", @(y) y, "state", @(z) z));
+%! stepper = generalized_alpha (system, 0.01, struct ("rho_infinity", 0.8));
+%! z = stepper.form ([1; 0]);
+%! for k = 1:100
+%!   [z, converged] = stepper.step (0, z);
+%!   assert (converged);
+%! endfor
+%! omega = sqrt (4 - 0.75^2);
+%! assert (z(1), exp (-0.75)*(cos (omega) + 0.75/omega*sin (omega)), 1e-4);

@@ -38,5 +38,7 @@ endfunction
 %! assert (numel (lines), 12);
 %! assert (lines{11}, "warning: 4 more in summary.json");
 %! assert (lines{12}, "out/ has history.csv, frames");
+%! summary.warnings = repmat ({"look"}, 1, 6);
+%! assert (closing_lines (output, summary, {}){11}, "warning: 1 more in summary.json");
 %! output.pictures = false;
 %! assert (closing_lines (output, summary, {"history.csv"}){12}, "out/ has history.csv (PICTURES=no: numbers alone)");

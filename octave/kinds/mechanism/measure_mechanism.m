@@ -38,3 +38,15 @@ endfunction
 %! history = measure_mechanism (system, [0 1], states);
 %! assert (history.balance(1), history.balance(2), 1e-12);
 %! assert (history.bodies(1).tip_x, [0.5 0.5], 0.01);
+%!test # a rod that flies: kinetic energy, energy of gravity from the height, and a spring's
+%! rod = struct ("length", 2, "EA", 1, "EI", 1, "rhoA", 3);
+%! scene.bodies = {struct("rod", rod, "model", struct ("modes", [0 0]), "initial", struct ("y", 5, "x_dot", 2))};
+%! scene.joints = {struct("kind", "bushing", "bodies", 1, "stations", 0, "point", [1 5], "stiffness", 4)};
+%! scene.duration = 1;
+%! scene.gravity = 10;
+%! scene = check_mechanism (scene);
+%! system = mechanism_system (scene, build_mechanism (scene, mechanism_rungs (scene, 0)));
+%! start = struct ("q", [0; 0; 5], "v", [0; 2; 0], "W", 0.5, "D", 0.25);
+%! history = measure_mechanism (system, 0, first_states (system, 0, start));
+%! assert ([history.T, history.U, history.Z, history.W, history.D], [6*2^2/2, 4*1/2, 6*10*5, 0.5, 0.25], 1e-12);
+%! assert (history.balance, 12 + 2 + 300 + 0.25 - 0.5, 1e-12);

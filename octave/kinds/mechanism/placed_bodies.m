@@ -124,3 +124,16 @@ endfunction
 %!error <body 1: initial.V2 has 2 amplitudes for 1 modes>
 %! [system, ~, scene] = sample_mechanism ([0 1]); scene.bodies(1).initial.V2 = [1 2];
 %! placed_bodies (scene, system.mechanism);
+%!test # a rod at the tip of one that moves, with a place of its own, keeps the velocity stated, or moves as the tip does
+%! rod = struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1);
+%! still = struct ("modes", [0 0]);
+%! scene.bodies = {struct("rod", rod, "model", still, "initial", struct ("phi_dot", 2)), ...
+%!                 struct("rod", rod, "model", still, "initial", struct ("x", 1, "y", 0, "x_dot", 7)), ...
+%!                 struct("rod", rod, "model", still)};
+%! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), ...
+%!                 struct("kind", "revolute", "bodies", [1 2], "stations", [1 0]), ...
+%!                 struct("kind", "revolute", "bodies", [1 3], "stations", [1 0])};
+%! scene.duration = 1;
+%! scene = check_mechanism (scene);
+%! [q, v] = placed_bodies (scene, build_mechanism (scene, mechanism_rungs (scene, [0 0 0])));
+%! assert (q, [0; 0; 0; 0; 1; 0; 0; 1; 0]); assert (v, [2; 0; 0; 0; 7; 0; 0; 0; 2]);

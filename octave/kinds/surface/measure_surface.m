@@ -45,3 +45,10 @@ endfunction
 %! assert (history.tip, [2 2; 0 0; 0 0], 1e-12);
 %! assert (history.reaction, 1.5*9.81*ones (12, 2), 1e-10);
 %! assert (history.q_names{4}, "alpha2_0");
+%!test # what a force along the level plane does to a stiff rod: its work, and no other energy
+%! scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 1, "force", [3 0 0], ...
+%!                 "rod", struct ("length", 2, "EA", 1e5, "EI", 1, "rhoA", 1.5), "model", struct ("modes", [3 3]));
+%! run = run_model (surface_kind (), check_surface_scene (scene), surface_rod (check_surface_scene (scene)));
+%! history = run.history;
+%! assert (history.W(end), 3*3/3/2, 1e-2); assert (history.T(end), 3*3/3/2, 1e-2);  # F s, s = F t^2/(2 rhoA l)
+%! assert (history.balance, history.balance(1)*ones (size (history.t)), 1e-6);

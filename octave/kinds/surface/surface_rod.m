@@ -149,6 +149,17 @@ endfunction
 %! rate = (8*(E (h) - E (-h)) - (E (2*h) - E (-2*h)))/(12*h);
 %! power = z_dot.'*system.residual (0, z, z_dot, z_ddot) + system.power (0, z, z_dot);
 %! assert (power, rate, 1e-7*abs (rate));
+%!test # the work may be off by what weight and bending do over so many metres
+%! system = surface_rod (pendulum ());
+%! assert (system.state_scale(end), 2*1*9.81 + 0.1/1^2, 1e-12);
+%! long = surface_rod (setfield (pendulum (), "rod", "length", 0.5));
+%! assert (long.state_scale(end), 2*0.5*9.81 + 0.1/0.5^2, 1e-12);
+%!test # where the chart's lines are not at right angles, too
+%! scene = setfield (saddle (), "model", "modes", [4 4]);
+%! system = surface_rod (check_surface_scene (scene));
+%! [z, e] = deal (0.1*ones (system.n, 1), full (eye (system.n)));
+%! M = system.residual (0, repmat (z, 1, system.n), 0*e, e) - system.residual (0, z, 0*z, 0*z);
+%! assert (system.mass_matrix (z), M, 1e-9);
 %!test # the mass matrix is what multiplies the accelerations
 %! system = surface_rod (pendulum ());
 %! [z, e] = deal (0.1*ones (system.n, 1), full (eye (system.n)));
