@@ -21,7 +21,7 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
     h = min (h, (times(end) - t)/to_go);
     [a, stages, tangents, message] = collocation_stages (system, method, t, h, y(1:n), y(n+1:2*n), a, 1e-3*solver.tolerance);
     steps++;
-    growth = 0.25;
+    growth = 0.5;
     if (isempty (message))
       ratio = embedded_error (system, method, h, y, a_start, stages, tangents)/solver.tolerance;
       growth = max (0.1, 0.85*ratio^(-1/6));
@@ -37,7 +37,7 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
       y = within_step (method, h, y, a, power, 1);
       t += h;
       a_start = a(:,end);
-      growth = min (growth, 3);
+      growth = min (growth, 1.5);  # further the polynomials are no guess
       a *= onward (method, growth);
       refused = 0;
     else
