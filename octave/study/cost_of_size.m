@@ -36,6 +36,6 @@ endfunction
 %! scene = check_surface_scene (setfield (large_swing (), "duration", 0.04));
 %! assert (cost_of_size (surface_kind (), scene, [2 4])(:,1), 4);
 %!test # bodies that state their modes have other numbers of them here
-%! scene = check_mechanism (setfield (setfield (chain (1), "duration", 0.01), "frames_per_second", 400));
+%! scene = check_mechanism (setfield (setfield (chain (1), "duration", 0.2), "frames_per_second", 20));
 %! rows = cost_of_size (mechanism_kind (), scene, [1 4]);
 %! assert (rows(2,3) > rows(1,3));
