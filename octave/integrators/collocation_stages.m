@@ -60,7 +60,8 @@ endfunction
 %!  system.size = @(z) max (abs (z)(:));
 %!  system.residual = @(t, z, z_dot, a) a + 4*[z(1,:); sin(z(2,:))];
 %!  system.mass_matrix = @(z) repmat (eye (2), [1 1 columns(z)]);
-%!  system.tangent_stiffness = @(t, z, z_dot, a) 4*reshape ([ones(1, columns (z)); 0*z(1,:); 0*z(1,:); cos(z(2,:))], 2, 2, []);
+%!  K = @(z) [ones(1, columns (z)); 0*z(1,:); 0*z(1,:); cos(z(2,:))];
+%!  system.tangent_stiffness = @(t, z, z_dot, a) 4*reshape (K (z), 2, 2, []);
 %!endfunction
 %!test # the cosine, and the polynomial's accelerations where its places are
 %! [a, stages, tangents, message] = collocation_stages (oscillators (), collocation (4), 0, 0.1, [1; 1], [0; 0], ...

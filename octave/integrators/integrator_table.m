@@ -45,7 +45,7 @@ function table = integrator_table (forms)
     "trigonometric",     "momenta",       fixed(@trigonometric),                          2, false, 4
     "gauss",             "residual",      @integrate_gauss,                               8, true,  1
     "radau",             "constrained",   constrained(@integrate_radau),                  9, true,  1
-    "radau",             "residual",      @integrate_radau_residual,                     9, true,  1
+    "radau",             "residual",      @integrate_radau_residual,                     9, true,  4
     "projection",        "constrained",   index_1("projection"),                          5, true,  1
     "baumgarte",         "constrained",   index_1("baumgarte"),                           5, true,  1
     "acceleration",      "constrained",   index_1("acceleration"),                        5, true,  1
