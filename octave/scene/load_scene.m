@@ -29,7 +29,11 @@ function [file, numbers] = find_scene (text, shipped)
   call = regexp (text, '^(.*?)\s*\(([^()]*)\)$', "tokens", "once");
   if (isempty (file) && ! isempty (call))
     file = file_of (call{1}, shipped);
-    numbers = num2cell (sscanf (call{2}, "%f,").');
+    given = strsplit (call{2}, ",")(1:end*! isempty (strtrim (call{2})));
+    numbers = cellfun (@str2double, given, "uniformoutput", false);
+    if (any (cellfun (@isnan, numbers)) && ! isempty (file))
+      scene_error ("%s: what is within the parentheses is \"%s\", it takes numbers", text, call{2});
+    endif
   endif
 endfunction
 
@@ -87,7 +91,9 @@ endfunction
 
 %!assert (load_scene ("paper").duration, 1.8)
 %!assert (numel (load_scene ("chain(3)").bodies), 3)
+%!assert (numel (load_scene ("chain ( )").bodies), 5)
 %!error <no scene "nowhere": it is one of arc_pendulum, .*paper,.*two_link_arm> load_scene ("nowhere")
+%!error <chain\(twenty\): what is within the parentheses is "twenty", it takes numbers> load_scene ("chain(twenty)")
 %!error <a scene is a name, a path or a struct, not a double> load_scene (3)
 %!function check_path (folder, name, typed, calls = "")
 %!  ## the scene in the file FOLDER/NAME.m, read by what a user types in the folder's parent
