@@ -20,7 +20,7 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
     to_go = ceil ((times(end) - t)/h*(1 - 1e-9));
     h = min (h, (times(end) - t)/to_go);
     [a, stages, tangents, message] = collocation_stages (system, method, t, h, y(1:n), y(n+1:2*n), a, ...
-                                                         1e-3*solver.tolerance);
+                                                         1e-5*solver.tolerance);
     steps++;
     growth = 0.5;
     if (isempty (message))
