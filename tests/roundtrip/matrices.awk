@@ -1,5 +1,5 @@
-# Random expressions for columns, matrices, and numbers made of them. No factor of a matrix is 0: Maxima makes a number
-# of such a product.
+# Random expressions for columns, matrices, and numbers made of them. No factor of a matrix is 0, and no terms of a sum
+# of columns cancel, since no other factor is 17/19: Maxima would make a number of such a product, or sum.
 
 function scalar_of_matrices(depth,    kind)
 {
@@ -14,7 +14,7 @@ function column(depth,    kind)
   if (depth <= 0)
     return word("V W")
   kind = random(9)
-  if (kind <= 2) return column(depth - 1) word("+ -k* *") column(depth - 1)
+  if (kind <= 2) return column(depth - 1) word("+17/19* -17/19*k* *") column(depth - 1)
   if (kind == 3) return "(" scalar(0) ")*(" column(depth - 1) ")"
   if (kind == 4) return "M . (" column(depth - 1) ")"
   if (kind == 5) return word("-V V/W W^2 2^V V^k sin(V) W+a k-V V/3 3/(1+V)")
