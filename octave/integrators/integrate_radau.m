@@ -18,7 +18,7 @@ function [states, steps] = integrate_radau (system, times, start, solver)
   y.sigma = at.springs.tension;
   states.lambda(:,1) = y.lambda;
   plan = struct ("h", min (diff (times)(1)/4, 1e-3*system.duration), "panels", 1, "whole", 0, "patience", 4);
-  plan.most = max (8, min (32, floor (1e3/system.n)));
+  plan.most = max (1, min (32, floor (7e3/system.n^2)));
   guess = @(t) taylor (y, t - y.t);
   steps = refused = 0;
   while (y.t < times(end))
@@ -38,8 +38,10 @@ function [states, steps] = integrate_radau (system, times, start, solver)
         y.t = times(end);
       endif
       inside = times > before.t & times <= y.t;
-      [frames, y] = radau_frames (system, rule, window, before, h, times(inside), y);
-      states = keep (states, inside, frames);
+      if (any (inside))
+        [frames, y] = radau_frames (system, rule, window, before, h, times(inside), y);
+        states = keep (states, inside, frames);
+      endif
       guess = @(t) radau_guess (system, rule, window, y, h, kept, t);
       refused = 0;
     else

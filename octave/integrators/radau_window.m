@@ -32,7 +32,7 @@ function [window, why] = radau_window (system, rule, y, h, panels, guess, tolera
   change = rate = NaN;
   do
     window.iterations++;
-    if (window.iterations == 1 || (! whole && (window.iterations == 2 || rate > 0.4)))
+    if (window.iterations == 1 || (! whole && (window.iterations == 2 && panels > 1 || rate > 0.4)))
       factors = middle_factors (system, rule, h, panels, x);
     endif
     [residual, at] = residual_of (system, rule, h, panels, y, x, factors);
