@@ -11,6 +11,8 @@
 ## @item at (t, q, v)
 ## a struct with all below in it: force (f), power, dissipated (W), constraints (see @code{joint_constraints}) and
 ## springs (see @code{spring_forces})
+## @item prescribed (t)
+## what joints and loads prescribe then: at takes it in the place of t, where it is asked again and again
 ## @item inertia (at, a), reaction (at, lambda), spring_reaction (at, tension)
 ## M a, Phi_q' lambda and the same of the springs, whose part of f is minus that of their tension
 ## @item tangent (at, lambda, tension)
