@@ -106,6 +106,20 @@ endfunction
 %!   phi = swing_pendulum ("radau", [0 0.3 0.8], "tolerance", tolerance);
 %!   assert (phi(2:3), pendulum_angle ([0.3 0.8]), 2*tolerance);
 %! endfor
+%!test # the work of a force is what the energies gain, however short the steps
+%! rod = struct ("length", 0.4, "EA", 1e6, "EI", 1e4, "rhoA", 1.5);
+%! body = struct ("rod", rod, "model", struct ("modes", [0 0]));
+%! scene.bodies = {body, body};
+%! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), ...
+%!                 struct("kind", "revolute", "bodies", [1 2], "stations", [0.4 0]), ...
+%!                 struct("kind", "force", "bodies", 2, "stations", 0.4, "value", @(t) 20*sin (600*t)*[0.3, 1])};
+%! [scene.duration, scene.gravity, scene.frames_per_second] = deal (0.002, 0, 2e4);
+%! scene = check_mechanism (scene);
+%! model = build_mechanism (scene, mechanism_rungs (scene, [0 0]));
+%! for tolerance = [1e-5 1e-9]
+%!   run = run_model (mechanism_kind (), scene, model, struct ("name", "radau", "tolerance", tolerance));
+%!   assert (run.history.T(end), run.history.W(end), 1e-8*run.history.W(end));
+%! endfor
 %!function system = arm (from, rate)   # two rods of 1 m from the origin to a place that moves along x
 %!  rod = struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1);
 %!  phi = acos (from/2)*[1 -1];
