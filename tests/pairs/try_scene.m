@@ -36,7 +36,7 @@ function [outcome, message] = judge (scene, result, warned)
     [outcome, message] = deal ("internal", ["warning: " warned]);
   elseif (! all_numbers (result.history))
     message = "history is no number";
-  elseif (! (balance < 0.05))
+  elseif (! (balance < 0.05) && ! result.count.still)
     message = sprintf ("energy balance is off by %.1g", balance);
   elseif (! (elsewhere (scene, result) < 1))
     message = "the tips are elsewhere with the solver auto";
