@@ -62,7 +62,9 @@ function [window, why] = radau_window (system, rule, y, h, panels, guess, tolera
   until (window.converged || hopeless)
   if (window.converged)
     why = "its steps shrank to nothing";
-    at = system.at (x.prescribed, x.q, x.v);  # after the last step of the iteration, too: velocities are power
+    if (any ([at.power, at.dissipated, at.constraints.rate(:).']))  # the iteration's last step changes them, too
+      at = system.at (x.prescribed, x.q, x.v);
+    endif
     window = finished (window, rule, factors, h, panels, y, x, at, scale);
   endif
 endfunction
