@@ -74,7 +74,8 @@ function y = march (system, method, interval, y, m)
     else
       acceleration *= method.onward.';
     endif
-    [acceleration, stages, ~, message] = collocation_stages (system, method, t, h, z, z_dot, acceleration, 1e-12*system.points(end));
+    [acceleration, stages, ~, message] = collocation_stages (system, method, t, h, z, z_dot, acceleration, ...
+                                                             1e-12*system.points(end));
     if (! isempty (message))
       y(:) = NaN;
       return;

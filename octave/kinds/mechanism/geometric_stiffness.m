@@ -7,7 +7,7 @@
 
 function K = geometric_stiffness (mechanism, q, F)
   states = columns (q);
-  row = column = value = {};
+  K = sparse (mechanism.n*states, mechanism.n*states);
   for group = mechanism.markers
     index = mechanism.groups(group.group).index(:,group.columns);
     i = group.numbers;
@@ -28,12 +28,8 @@ function K = geometric_stiffness (mechanism, q, F)
     own(1:end-1,1:end-1,:) = reshape (V_V, R - 1, R - 1, count);
     own(:,end,:) = own(end,:,:) = reshape ([phi_V; phi_phi], R, 1, count);
     V_and_phi = of_states (index(1:end-2,:), mechanism.n, states);
-    row{end+1} = repmat (reshape (V_and_phi, R, 1, count), [1 R 1])(:);
-    column{end+1} = repmat (reshape (V_and_phi, 1, R, count), [R 1 1])(:);
-    value{end+1} = -own(:);
+    K -= blocks_at (V_and_phi, own, mechanism.n*states);
   endfor
-  size_of_all = mechanism.n*states;
-  K = sparse (vertcat (row{:}), vertcat (column{:}), vertcat (value{:}), size_of_all, size_of_all);
 endfunction
 
 %!test # by differences

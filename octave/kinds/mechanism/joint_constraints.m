@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{c} =} joint_constraints (@var{constraints}, @var{prescribed}, @var{at})
 ## All @var{constraints} (see @code{list_constraints}) in the markers' motion @var{at}, with what they prescribe at the
-## times of its k states (see @code{prescribed_values}): a struct of residual (Phi), rate (Phi_t), velocity (Phi_q q' + Phi_t), convection (what Phi'' is without
-## accelerations; constraints-by-k) and gradients (a cell a kind of 6 matrices, by the markers' coordinates).
+## times of its k states (see @code{prescribed_values}): a struct of residual (Phi), rate (Phi_t), velocity
+## (Phi_q q' + Phi_t), convection (what Phi'' is without accelerations; constraints-by-k) and gradients (a cell a kind
+## of 6 matrices, by the markers' coordinates).
 ## @end deftypefn
 
 function c = joint_constraints (constraints, prescribed, at)

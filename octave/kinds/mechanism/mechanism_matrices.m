@@ -19,7 +19,7 @@ endfunction
 
 function mass = mass_matrix (mechanism, d)
   states = columns (d.force);
-  row = column = value = {};
+  mass = sparse (mechanism.n*states, mechanism.n*states);
   for g = 1:numel (mechanism.groups)
     group = mechanism.groups(g);
     b = d.blocks{g};
@@ -35,12 +35,8 @@ function mass = mass_matrix (mechanism, d)
     own(n+2,n+2,:) = own(n+3,n+3,:) = group.model.arrays.mass;
     own(n+1,n+2,:) = own(n+2,n+1,:) = reshape (b.phi_x, 1, 1, count);
     own(n+1,n+3,:) = own(n+3,n+1,:) = reshape (b.phi_y, 1, 1, count);
-    row{g} = repmat (reshape (index, R, 1, count), [1 R 1])(:);
-    column{g} = repmat (reshape (index, 1, R, count), [R 1 1])(:);
-    value{g} = own(:);
+    mass += blocks_at (index, own, mechanism.n*states);
   endfor
-  size_of_all = mechanism.n*states;
-  mass = sparse (vertcat (row{:}), vertcat (column{:}), vertcat (value{:}), size_of_all, size_of_all);
 endfunction
 
 ## constraints-by-(3 markers), of each state
