@@ -25,12 +25,13 @@ help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
 	@echo 'make simulate    simulate and draw SCENE=paper (or a file)' \
 		'[MODES="7 7" SOLVER=ode45 TOLERANCE=1e-6 SIZE=1920x1080 OUTPUT=folder PICTURES=no]'
-	@echo 'make models      the ladder of models of SCENE=paper, error against seconds: table and chart'
+	@echo 'make models      the ladder of models of SCENE=paper, error against seconds: table and chart [BUDGET=60 seconds]'
 	@echo 'make derive      derive all equations and translate them into generated/ [MODES="7 7" of the literal form]'
 	@echo 'make derive SURFACE=file    derive a surface of one'"'"'s own into output/surfaces/'
 	@echo 'make equations   write the derived energies and equations of motion as output/equations.tex [MODES="2 2"]'
 	@echo 'make check       run all tests'
-	@echo 'make chart       error against seconds and calls of all integrators: table and chart [MODES="7 7"]'
+	@echo 'make chart       error against seconds and calls of all integrators: table and chart' \
+		'[SCENE=paper MODES="7 7" BUDGET=60 seconds]'
 	@echo 'make stability   where integrators turn unstable on SCENE=..., predicted and measured: table and chart;' \
 		'without SCENE all about the paper'"'"'s rod'
 	@echo 'make choices     all scenes that choose and 60 random ones: chosen models against far richer ones'

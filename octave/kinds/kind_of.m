@@ -47,14 +47,15 @@
 ## what @code{draw_pictures} takes
 ## @item rungs (scene, chosen, richer)
 ## rungs around a chosen one, a cell array, up to a richer one
-## @item exact (scene)
-## [run, converged]: the geometrically exact rod, where it can be had, else empty and false (see @code{exact_runs})
+## @item exact (scene, seconds)
+## [run, converged]: the geometrically exact rod, where it can be had in so many seconds, else empty and false (see
+## @code{exact_runs})
 ## @item literal (scene)
 ## the rung of the paper's sines, 7 + 7, or empty
 ## @item sized (scene, n)
 ## the model of size n, so many modes, polynomials or elements of each sort, empty where there is none
-## @item references
-## two methods and tolerances (m) that should agree: rows of a cell array
+## @item reference
+## the method and the tolerance (m) that integrations are measured against: a cell array
 ## @end table
 ## @end deftypefn
 

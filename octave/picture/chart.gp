@@ -9,14 +9,17 @@ colours = "0x1f77b4 0xd62728 0x2ca02c 0xff7f0e 0x9467bd 0x8c564b 0xe377c2 0x7f7f
 colour(k) = int (word (colours, k))
 curve(k, x) = sprintf (", $curve_%d using %d:%d with linespoints pt %d ps 0.7 lc rgb %d title '%s'", k, x, x + 1, shape (k), \
     colour (k), methods[k]). \
-  sprintf (", $part_%d using %d:%d with points pt 6 ps 1.8 lc rgb %d notitle", k, x, x + 1, colour (k)). \
+  sprintf (", $part_%d using %d:%d with points pt 7 ps 0.35 lc rgb 'white' notitle", k, x, x + 1). \
   sprintf (", $failed_%d using %d:%d with points pt 2 ps 1.2 lw 2 lc rgb %d notitle", k, x, x + 1, colour (k))
-panel_1 = "plot NaN notitle"
+panel_1 = "plot tolerance with lines dt 2 lc rgb '#606060' notitle, floor with lines dt 3 lc rgb '#606060' notitle"
 panel_2 = "plot NaN notitle"
+ring(x) = sprintf (", $own using %d:%d with points pt 6 ps 2.2 lw 2 lc rgb 'black' title 'auto'", x, x + 1)
 do for [k = 1:|methods|] {
   panel_1 = panel_1.curve (k, 1)
   panel_2 = panel_2.curve (k, 3)
 }
+panel_1 = panel_1.ring(1)
+panel_2 = panel_2.ring(3)
 
 do for [kind in "svg png"] {
   if (kind eq "svg") { set terminal svg size 1600,760 dynamic font "sans-serif,14" background "white" enhanced }
@@ -24,7 +27,8 @@ do for [kind in "svg png"] {
   set output "../chart.".kind
   set multiplot
   set label 1 title at screen 0.5,0.965 center noenhanced font ",16"
-  set label 2 "largest error of a point over all frames; ringed: extrapolated from a part of the duration; crosses: failed" \
+  set label 2 "largest error of a point over all frames; white inside: extrapolated from a part of the duration; crosses: failed; ". \
+    "dashed: the scene's tolerance; dotted: the reference's own error" \
     at screen 0.5,0.03 center textcolor rgb "#606060" font ",12"
   set tmargin at screen 0.91
   set bmargin at screen 0.15
@@ -70,8 +74,10 @@ do for [kind in "svg png"] {
   set format x "%g"
   set xlabel "N, size of the model"
   set ylabel "s per simulated s"
-  plot $cost using 1:2 with linespoints pt 7 lw 2 lc rgb "#1f77b4" title "solver auto", \
-      cost_first_high*(x/cost_first_low)**2 with lines dt 2 lc rgb "#606060" title "N²"
+  if (sizes > 0) {
+    plot $cost using 1:2 with linespoints pt 7 lw 2 lc rgb "#1f77b4" title "solver auto", \
+        cost_first_high*(x/cost_first_low)**2 with lines dt 2 lc rgb "#606060" title "N²"
+  }
   unset multiplot
   unset output
   reset

@@ -1,12 +1,14 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{ladder} =} ladder_of (@var{kind}, @var{scene})
+## @deftypefn {} {@var{ladder} =} ladder_of (@var{kind}, @var{scene}, @var{left})
 ## The ladder of models of a checked scene of a @var{kind} (see @code{kind_of}), as @code{choose} takes it: its trials
-## are runs by the ladder's solver.
+## are runs by the ladder's solver.  One that takes more than a third of the seconds that @var{left} () says is given
+## up.
 ## @end deftypefn
 
-function ladder = ladder_of (kind, scene)
+function ladder = ladder_of (kind, scene, left = @() Inf)
   ladder = kind.ladder (scene);
-  ladder.trial = @(rung) run_model (kind, scene, kind.build (scene, rung), ladder.solver);
+  solver = ladder.solver;
+  ladder.trial = @(rung) run_model (kind, scene, kind.build (scene, rung), setfield (solver, "seconds", left ()/3));
 endfunction
 
 %!test # the rigid rod
@@ -15,3 +17,5 @@ endfunction
 %! trial = try_rung (ladder_of (rod_kind (), scene), rigid);
 %! assert (hypot (trial.x(end,:), trial.y(end,:)), ones (1, 91), 1e-12);
 %! assert (trial.rung, rigid); assert (trial.error, "");
+%!error <given up after> ladder_of (rod_kind (), check_scene (paper ()), @() 1e-3).trial (rung_of_scene (
+%!   setfield (check_scene (paper ()), "model", "modes", [7 7])))

@@ -1,11 +1,14 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{job} =} draw_chart (@var{table}, @var{ladder}, @var{cost}, @var{scene}, @var{scratch})
-## The @var{table} of @code{work_precision} with the @var{ladder} of models (may be empty) and the @var{cost} of
-## @code{cost_of_size}, chart.svg and chart.png beside the folder @var{scratch}, which takes the data.  They are there when
-## @var{job} has ended (see @code{finish_tool}).  The second panel has the calls, or the drift of constraints.
+## @deftypefn {} {@var{job} =} draw_chart (@var{table}, @var{ladder}, @var{cost}, @var{notes}, @var{scratch})
+## The @var{table} of @code{work_precision} with the @var{ladder} of models and the @var{cost} of @code{cost_of_size}
+## (both may be empty), chart.svg and chart.png beside the folder @var{scratch}, which takes the data.  They are there
+## when @var{job} has ended (see @code{finish_tool}).  The second panel has the calls, or the drift of constraints.
+##
+## @var{notes} is a struct of title, tolerance (m), auto (the method that "auto" takes) and floor (m: the reference's own
+## error, NaN where it is not known).
 ## @end deftypefn
 
-function job = draw_chart (table, ladder, cost, scene, scratch)
+function job = draw_chart (table, ladder, cost, notes, scratch)
   methods = unique ({table.method}, "stable");
   drifts = any (isfinite ([table.drift]));
   chosen = rows = ladder;
@@ -13,17 +16,21 @@ function job = draw_chart (table, ladder, cost, scene, scratch)
     rows = ladder([ladder.error_m] > 0 & isfinite ([ladder.error_m]));
     chosen = rows([rows.chosen]);
   endif
-  text = gnuplot_settings (struct ("title", scene.title, "methods", {methods}, "drifts", double (drifts), ...
-                                   "rungs", numel (rows), "cost_first", cost(1,1:2)));
+  best = fastest_rows (table, notes.tolerance);
+  own = best(strcmp ({best.method}, notes.auto));
+  text = gnuplot_settings (struct ("title", notes.title, "methods", {methods}, "drifts", double (drifts), ...
+                                   "rungs", numel (rows), "sizes", size (cost, 1), "tolerance", notes.tolerance, ...
+                                   "floor", max ([notes.floor, 1e-30]), "cost_first", [cost(:,1:2); 1 1](1,:)));
   for k = 1:numel (methods)
     of_method = table(strcmp ({table.method}, methods{k}));
     failed = ! cellfun (@isempty, {of_method.failure});
     text = [text, block(sprintf ("curve_%d", k), of_method(! failed), drifts), ...
-            block(sprintf ("part_%d", k), of_method([of_method.extrapolated] & ! failed), drifts), ...
+            block(sprintf ("part_%d", k), of_method([of_method.part] < 1 & ! failed), drifts), ...
             block(sprintf ("failed_%d", k), of_method(failed), drifts)];
   endfor
-  write_text (fullfile (scratch, "settings.gp"), [text, gnuplot_block("cost", {cost}), ...
-                                                  ladder_block("ladder", rows), ladder_block("chosen", chosen)]);
+  text = [text, block("own", own, drifts), gnuplot_block("cost", {[cost; NaN NaN NaN](1:max (end-1, 1),:)}), ...
+          ladder_block("ladder", rows), ladder_block("chosen", chosen)];
+  write_text (fullfile (scratch, "settings.gp"), text);
   job = start_gnuplot (scratch, "chart.gp");
 endfunction
 
@@ -35,9 +42,10 @@ function text = block (name, rows, drifts)
     if (! isempty (row.failure) || ! isfinite (error) || error > 1)
       error = 1;
     endif
-    beside = [max(row.calls, 1), error];
+    beside = [row.calls, error];
+    beside(row.calls == 0) = NaN;  # it failed before
     if (drifts)
-      beside = [row.seconds, max(row.drift, 1e-17)];
+      beside = [row.seconds, row.drift + 1e-17];
     endif
     text = [text, sprintf("%.9g %.9g %.9g %.9g\n", row.seconds, error, beside)];
   endfor
@@ -67,16 +75,16 @@ endfunction
 
 %!test # a curve, a part of one and a failure; constraints that drift, and no ladder
 %! row = struct ("method", "rk4", "parameter", {1e-3 1e-4 1e-5}, "error_m", {1e-3 1e-5 NaN}, "drift", NaN, ...
-%!               "seconds", {1 2 3}, "calls", {10 20 30}, "extrapolated", {false true false}, ...
+%!               "seconds", {1 2 3}, "calls", {10 20 30}, "part", {1 0.5 1}, ...
 %!               "failure", {"", "", "rk4 stopped"});
 %! ladder = struct ("label", "3", "error_m", 1e-3, "seconds", 2, "chosen", true);
-%! scene.title = "it's a \"rod\"";
+%! notes = struct ("title", "it's a \"rod\"", "tolerance", 1e-4, "auto", "rk4", "floor", NaN);
 %! drifting = row;
 %! [drifting.drift] = deal (1e-6, 0, 1e-3);
-%! for given = {{row, ladder}, {drifting, struct([])}}
+%! for given = {{row, ladder, [2 0.1 100; 4 0.3 200]}, {drifting, struct([]), zeros(0, 3)}}
 %!   folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
 %!   unwind_protect
-%!     draw = {@(scratch) draw_chart(given{1}{:}, [2 0.1 100; 4 0.3 200], scene, scratch)};
+%!     draw = {@(scratch) draw_chart(given{1}{:}, notes, scratch)};
 %!     assert (draw_files (folder, draw, {"chart.svg", "chart.png"}), cell (0, 2));
 %!   unwind_protect_cleanup
 %!     rmdir (folder, "s");

@@ -1,19 +1,20 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{table} =} model_ladder (@var{scene}, @var{option}, @var{value}, @dots{})
 ## The ladder of models of a scene, error against cost: the points of each rung around the one that @code{choose} takes
-## against those of a far richer model, or of the geometrically exact rod where that can be had (see @code{exact_runs});
-## its own error is its distance from the far richer model.  Arguments as for @code{driver}; modes are chosen.
+## against those of a far richer model, or of the geometrically exact rod where that can be had (see
+## @code{exact_runs}); its own error is its distance from the far richer model.  Arguments as for @code{driver}, and
+## "budget": the seconds that it may take (60).  Modes are chosen.
 ##
 ## Leaves models.csv, models.svg and models.png in the folder of the scene's output.  @var{table} is a struct array of
-## model, method, error_m, seconds, calls, label and curve (in the chart), chosen and extrapolated.  The rungs are
-## integrated as `auto' would; the chosen one, and the paper's 7 + 7 sines, by `ode45' too, where that is a method for the
-## scene: what would take more than 20 s is extrapolated from a part of the duration, with its error there.
+## model, method, error_m, seconds, calls, label and curve (in the chart), chosen and part.  The rungs are integrated
+## as `auto' would; the chosen one, and the paper's 7 + 7 sines, by `ode45' too, where that is a method for the scene:
+## what takes too long is extrapolated (see @code{precision_point}).
 ## @end deftypefn
 
 function table = model_ladder (scene = "paper", varargin)
-  [scene, kind, output] = study_scene (scene, [varargin, {"modes", "auto"}]);
-  ladder = ladder_of (kind, scene);
-  found = measure_all (kind, scene, ladder);
+  [scene, kind, output, left] = study_scene (scene, [varargin, {"modes", "auto"}]);
+  ladder = ladder_of (kind, scene, left);
+  found = measure_all (kind, scene, ladder, left);
   publish_study (output, {"models.csv"}, {"models.svg", "models.png"}, @(aside) write_ladder (found, aside), ...
                  @(scratch) draw_ladder (found, ladder.labels, scene, scratch));
   if (nargout > 0)
@@ -21,17 +22,19 @@ function table = model_ladder (scene = "paper", varargin)
   endif
 endfunction
 
-function table = measure_all (kind, scene, ladder)
-  choice = choose (ladder, scene.solver.tolerance);
-  [richest, rich] = richest_run (kind, scene, choice.trial.model);
+function table = measure_all (kind, scene, ladder, left)
+  choice = told_choice (ladder, scene.solver.tolerance);
+  [richest, rich] = richest_of (kind, scene, ladder, choice, left ()/3);
   reference = richest;
-  [exact, converged] = kind.exact (scene);
+  [exact, converged] = kind.exact (scene, left ()/2);
   if (converged)
     reference = exact;
   endif
-  table = rung_rows (kind, scene, ladder, choice, reference);
+  table = rung_rows (kind, scene, ladder, choice, reference, left ()/2);
+  reference.times = frame_times (scene);
+  reference.off = 0;
   for rung = by_ode45 (kind, scene, choice)
-    table = [table, ode45_row(kind, scene, ladder, rung{1}, reference, choice.rung)];
+    table = [table, ode45_row(kind, scene, ladder, rung{1}, reference, choice.rung, left ()/3)];
   endfor
   table = [table, rung_row(ladder, rich, richest.count, distance (richest, reference), choice.rung)];
   if (! isempty (exact))
@@ -39,6 +42,25 @@ function table = measure_all (kind, scene, ladder)
     ladder.label = @(rung) "exact";
     table = [table, rung_row(ladder, choice.rung, exact.count, distance (exact, richest), [])];
   endif
+endfunction
+
+## the choice's richest where a far richer model takes too long
+function [run, rung] = richest_of (kind, scene, ladder, choice, seconds)
+  scene.solver.seconds = seconds;
+  try
+    [run, rung] = richest_run (kind, scene, choice.trial.model);
+  catch err
+    if (! strncmp (err.message, "given up", 8))
+      rethrow (err);
+    endif
+    run = choice.reference;
+    if (ladder.poorer (run.rung, choice.rung))  # the choice gave up
+      run = choice.trial;
+    endif
+    rung = run.rung;
+    say ("  a far richer model was %s: the reference is the choice's richest, %s", strtrim (err.message), ...
+         ladder.name (rung));
+  end_try_catch
 endfunction
 
 function rungs = by_ode45 (kind, scene, choice)
@@ -51,13 +73,13 @@ function rungs = by_ode45 (kind, scene, choice)
   endif
 endfunction
 
-function row = ode45_row (kind, scene, ladder, rung, reference, chosen)
+function row = ode45_row (kind, scene, ladder, rung, reference, chosen, limit)
   table = integrator_table ({"rate"});
   ode45 = table(strcmp ({table.name}, "ode45"));
-  point = precision_point (kind, scene, kind.build (scene, rung), ode45, scene.solver.tolerance, reference, 20);
+  point = precision_point (kind, scene, kind.build (scene, rung), ode45, scene.solver.tolerance, reference, limit);
   point.method = "ode45";
   row = rung_row (ladder, rung, point, point.error_m, chosen);
-  row.extrapolated = point.extrapolated;
+  row.part = point.part;
 endfunction
 
 %!error <cannot be made|can be written> model_ladder ("chain(20)", "output", "/proc/nowhere")

@@ -1,14 +1,14 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{row} =} rung_row (@var{ladder}, @var{rung}, @var{count}, @var{error_m}, @var{chosen})
 ## A row of the table of @code{model_ladder}, which is printed: the @var{rung} of a @var{ladder} (see @code{ladder_of})
-## that took what the @var{count} of @code{integrate} says and is off by @var{error_m} (m), where @var{chosen} is the rung
-## that is taken.
+## that took what the @var{count} of @code{integrate} says and is off by @var{error_m} (m), where @var{chosen} is the
+## rung that is taken.
 ## @end deftypefn
 
 function row = rung_row (ladder, rung, count, error_m, chosen)
   row = struct ("model", ladder.name (rung), "method", count.method, "error_m", error_m, "seconds", count.seconds, ...
                 "calls", count.calls, "label", ladder.label (rung), "curve", ladder.curve (rung), ...
-                "chosen", isequal (rung, chosen), "extrapolated", false);
+                "chosen", isequal (rung, chosen), "part", 1);
   mark = "";
   if (row.chosen)
     mark = " <-";

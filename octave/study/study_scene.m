@@ -1,10 +1,15 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{scene}, @var{kind}, @var{output}] =} study_scene (@var{which}, @var{options})
-## The checked scene of a study, its kind (see @code{kind_of}) and where its files go: @var{which} and @var{options} (a
-## cell array) are arguments as for @code{driver}.  A folder that cannot be written is an error.
+## @deftypefn {} {[@var{scene}, @var{kind}, @var{output}, @var{left}] =} study_scene (@var{which}, @var{options})
+## The checked scene of a study, its kind (see @code{kind_of}), where its files go, and a function that says how many
+## seconds of the study are @var{left}: @var{which} and @var{options} (a cell array) are arguments as for
+## @code{driver}, and the option "budget", the seconds that the study may take (default 60).  A folder that cannot be
+## written is an error.
 ## @end deftypefn
 
-function [scene, kind, output] = study_scene (which, options)
+function [scene, kind, output, left] = study_scene (which, options)
+  start = tic ();
+  [budget, options] = take_budget (options);
+  left = @() budget - toc (start);
   [scene, name] = load_scene (which);
   [scene, output] = take_options (scene, fullfile ("output", name), options);
   kind = kind_of (scene);
@@ -19,9 +24,26 @@ function [scene, kind, output] = study_scene (which, options)
   require_folder (output.folder);
 endfunction
 
+function [budget, options] = take_budget (options)
+  budget = 60;
+  at = find (strcmp (options(1:2:end), "budget"), 1, "last");
+  if (! isempty (at) && numel (options) >= 2*at)
+    budget = options{2*at};
+    if (! (isnumeric (budget) && isscalar (budget) && isreal (budget) && budget > 0))
+      scene_error ("budget is %s: it takes seconds, a positive number", strtrim (disp (budget)));
+    endif
+    options([2*at - 1, 2*at]) = [];
+  endif
+endfunction
+
 %!error <cannot be made|can be written> study_scene ("paper", {"output", "/proc/nowhere"})
 %!error <model.modes is "many": it takes> study_scene ("bowl", {"modes", "many"})
 %!error <duration is 0.001: a study takes more than one frame> study_scene (setfield (swing (), "duration", 1e-3), {})
+%!error <budget is -1: it takes seconds, a positive number> study_scene ("paper", {"budget", -1})
+%!error <budget is soon: it takes seconds> study_scene ("paper", {"budget", "soon"})
 %!test
-%! [scene, kind, output] = study_scene (swing (), {"output", tempdir(), "modes", [0 1]});
+%! [scene, kind, output, left] = study_scene (swing (), {"output", tempdir(), "modes", [0 1]});
 %! assert (scene.model.modes, [0 1]); assert (kind.name, "rod"); assert (output.folder, tempdir ());
+%! assert (left () > 50 && left () <= 60);
+%! [~, ~, ~, left] = study_scene (swing (), {"budget", 300, "output", tempdir()});
+%! assert (left () > 290 && left () <= 300);

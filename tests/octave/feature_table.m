@@ -128,7 +128,7 @@ function text = rows_of_runs (scenes)
     [kind, scene, model, system] = built (setfield (scenes{k}, "duration", 0.01));
     run = run_model (kind, scene, model);
     rungs = kind.rungs (scene, kind.stated (scene), kind.far_richer (scene, model));
-    has(:,k) = [! isempty(kind.sized (scene, 8)) && rows(kind.references) == 2
+    has(:,k) = [! isempty(kind.sized (scene, 8)) && numel(kind.reference) == 2
                 numel(rungs) > 1
                 any(ismember (system.forms, {"rate", "constrained"}))
                 isfield(kind.drawing (scene, run), "spectrum")

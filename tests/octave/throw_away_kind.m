@@ -53,20 +53,20 @@
 %!  assert (isempty (strfind (chart, "foreshortening")));
 %!endfunction
 %!test # the ladder of models: more elements, a smaller error
-%! check_with_row (@(folder) model_ladder (spring_pendulum ("initial.phi", 0.5), "output", folder), ...
+%! check_with_row (@(folder) model_ladder (spring_pendulum ("initial.phi", 0.5), "output", folder, "budget", 10), ...
 %!                 {"models.csv", "models.svg", "models.png"}, @check_models, {});
 
 %!function check_chart (folder, table)
 %!  for name = {"ode45", "lsode_adams"}
 %!    of_method = table(strcmp ({table.method}, name{1}));
-%!    assert (numel (of_method), 8);
+%!    assert (numel (of_method) >= 2);
 %!    assert ([of_method.error_m] <= 2*max ([of_method.parameter], 1e-9));
 %!  endfor
 %!  assert (csvread (fullfile (folder, "cost.csv"), 1, 0)(:,1), [2; 4]);
 %!endfunction
 %!test # the chart of methods: errors within tolerances
 %! scene = spring_pendulum ("initial.phi", 0.5, "duration", 0.1, "model.modes", 1);
-%! check_with_row (@(folder) work_precision (scene, "output", folder), ...
+%! check_with_row (@(folder) work_precision (scene, "output", folder, "budget", 10), ...
 %!                 {"chart.csv", "cost.csv", "chart.svg", "chart.png"}, @check_chart, {"ode45", "lsode_adams"});
 
 %!function check_stability (folder, table)   # one spring: sqrt (k/m), with half of the string's mass

@@ -24,10 +24,10 @@ function kind = mechanism_kind ()
   kind.columns = @mechanism_columns;
   kind.drawing = @(scene, run) mechanism_drawing (scene, run.model, run.history);
   kind.rungs = @rungs_around;
-  kind.exact = @(scene) deal ([], false);
+  kind.exact = @(scene, seconds) deal ([], false);
   kind.literal = @(scene) [];
   kind.sized = @model_of_size;
-  kind.references = {"radau", 1e-12; "ode15i", 1e-9};
+  kind.reference = {"radau", 1e-12};
 endfunction
 
 function [rung, note] = stated_rung (scene)

@@ -27,7 +27,7 @@ function kind = rod_kind ()
   kind.exact = @exact_runs;
   kind.literal = @paper_sines;
   kind.sized = @(scene, n) build_model (scene, rung_of_scene (setfield (scene, "model", "modes", [n n])));
-  kind.references = {"waveform", 1e-10; "exponential", 2e-11};
+  kind.reference = {"waveform", 1e-10};
 endfunction
 
 function [rung, note] = stated_rung (scene)

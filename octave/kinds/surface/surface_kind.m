@@ -23,10 +23,10 @@ function kind = surface_kind ()
   kind.columns = @surface_columns;
   kind.drawing = @(scene, run) surface_drawing (run.model, scene, run.history);
   kind.rungs = @rungs_around;
-  kind.exact = @(scene) deal ([], false);
+  kind.exact = @(scene, seconds) deal ([], false);
   kind.literal = @(scene) [];
   kind.sized = @model_of_size;
-  kind.references = {"radau", 1e-10; "lsode_bdf", 1e-8};
+  kind.reference = {"radau", 1e-10};
 endfunction
 
 function [rung, note] = stated_rung (scene)

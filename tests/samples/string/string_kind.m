@@ -25,10 +25,10 @@ function kind = string_kind ()
   kind.columns = @columns_of;
   kind.drawing = @drawing_of;
   kind.rungs = @(scene, chosen, richer) num2cell (unique ([1, chosen, richer]));
-  kind.exact = @(scene) deal ([], false);
+  kind.exact = @(scene, seconds) deal ([], false);
   kind.literal = @(scene) [];
   kind.sized = @(scene, n) setfield (scene.string, "elements", n)(n <= 4);
-  kind.references = {"ode45", 1e-10; "lsode_adams", 1e-9};
+  kind.reference = {"ode45", 1e-10};
 endfunction
 
 function scene = check (given)
