@@ -66,11 +66,8 @@ function system = mechanism_system (scene, mechanism)
 endfunction
 
 function prescribed = prescribed_at (mechanism, t)
-  prescribed = struct ("t", t, "constraints", {prescribed_values(mechanism.constraints, t)}, "loads", {{}});
-  for j = 1:numel (mechanism.loads)
-    prescribed.loads{j} = zeros (3, numel (t));
-    prescribed.loads{j}(mechanism.loads(j).parts,:) = at_times (mechanism.loads(j).value, t);
-  endfor
+  prescribed = struct ("t", t, "constraints", {prescribed_values(mechanism.constraints, t)}, ...
+                       "loads", {applied_values(mechanism.loads, t)});
 endfunction
 
 function at = everything (mechanism, t, q, v)

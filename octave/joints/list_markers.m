@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{mechanism} =} list_markers (@var{mechanism}, @var{joints})
-## The @var{mechanism} with the markers of its @var{joints}: marker_of (joints-by-2: the markers of each joint,
-## numbered), ground (x, y, angle of those on the ground) and markers (markers of equal bodies at one station,
-## a group each: group, columns (of the group's bodies), numbers (of the markers), marker (as
-## @code{rod_marker} takes it)).
+## A @var{mechanism}, of which groups and place count here (see @code{build_mechanism}), with the markers of its
+## @var{joints}: marker_of (joints-by-2: the markers of each joint, numbered), ground (x, y, angle of those on the
+## ground) and markers (markers of equal bodies at one station, a group each: group, columns (of the group's bodies),
+## numbers (of the markers), marker (as @code{rod_marker} takes it)).
 ## @end deftypefn
 
 function mechanism = list_markers (mechanism, joints)
@@ -61,10 +61,10 @@ function marker = marker_at (model, station)
   if (model.shortening)
     along_slope *= 0;  # v1 is then the stretch along the bent rod, which does not turn its tangent
   endif
-  [x, y, direction] = undeformed_places (model.base, station);
-  marker = struct ("place_1", x, "place_2", y, "direction", direction, "shape_1", along.', "shape_2", across.', ...
-                   "slope_1", along_slope.', "slope_2", across_slope.', ...
+  marker = struct ("shape_1", along.', "shape_2", across.', "slope_1", along_slope.', "slope_2", across_slope.', ...
                    "shortening_matrix", model.shortening*shortening_at (model.base, station));
+  marker = project_arrays (marker, model.basis);
+  [marker.place_1, marker.place_2, marker.direction] = undeformed_places (model.base, station);
 endfunction
 
 %!test # equal rods at equal stations are one group
