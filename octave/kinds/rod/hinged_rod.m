@@ -21,11 +21,11 @@ function system = hinged_rod (scene, model)
   endif
   a = model.arrays;
   system.mass = [a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia];
-  system.stiffness = blkdiag (a.stiffness_matrix, 0);
-  if (scene.rod.damping > 0)
-    system.damping_matrix = scene.rod.damping*system.stiffness;
+  [system.stiffness, damping] = linear_rod (scene.initial.phi, constants);
+  if (any (damping(:)))
+    system.damping_matrix = damping;
   endif
-  system.stiffness_at = @(t, y) turning_stiffness (y(n+1), y(2*n+2)/a.moment_of_inertia, constants);
+  system.stiffness_at = @(t, y) turning_stiffness (t, y(1:n), y(n+1), y(2*n+2)/a.moment_of_inertia, constants);
   system.velocity_matrix = [eye(n, n + 1); system.mass(end,:)];
   system.initial_state = initial_state (scene.initial, model, constants);
   system.rate = @(t, y, interval) hinged_rod_rate (t, y, interval, n, constants);
