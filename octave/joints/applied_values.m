@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{values} =} applied_values (@var{loads}, @var{t})
-## What the @var{loads} of joints (see @code{list_springs}) are at the times @var{t} (1-by-k): a cell a load of F_x, F_y
-## (N), M (N m; 3-by-k).
+## What the @var{loads} of joints (see @code{list_springs}) are at the times @var{t} (1-by-k): a cell a load of F_x,
+## F_y (N), M (N m; 3-by-k).
 ## @end deftypefn
 
 function values = applied_values (loads, t)

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{yes} =} are_forces (@var{given})
-## Whether none of the joints that a scene has @var{given} (a cell array of structs, or a struct array) constrains: they
-## are springs, dampers and loads (see @code{joint_kinds}).  What is no joint is left to the scene's check.
+## Whether none of the joints that a scene has @var{given} (a cell array of structs, or a struct array) constrains:
+## they are springs, dampers and loads (see @code{joint_kinds}).  What is no joint is left to the scene's check.
 ## @end deftypefn
 
 function yes = are_forces (given)

@@ -8,8 +8,9 @@
 ## @code{elongation_numbers}), less what the eigenmodes among the others have of them.
 ##
 ## The bending modes are those of the rod and phi together, free to turn, or with the tangent at O held where
-## @var{clamped}.  Joints with a stiffness, (N+1)-by-(N+1) in (V, phi) (default: none), bend the modes: of those of a rod
-## that turns, the amplitudes V are taken, but where a mode is hardly more than phi.  Each has the largest amplitude 1.
+## @var{clamped}.  Joints with a stiffness, (N+1)-by-(N+1) in (V, phi) (default: none), bend the modes: of those of a
+## rod that turns, the amplitudes V are taken, but where a mode is hardly more than phi.  Each has the largest
+## amplitude 1.
 ## @end deftypefn
 
 function basis = rung_basis (rung, arrays, base, clamped, stiffness_of_joints = [])

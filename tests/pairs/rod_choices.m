@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{base}, @var{choices}] =} rod_choices ()
-## A scene of one rod, and what may be chosen of it: rows of factor, value, and the change that it makes of the scene, a
-## cell array of fields and their values.  A factor's first value is that of the @var{base}.
+## A scene of one rod, and what may be chosen of it: rows of factor, value, and the change that it makes of the scene,
+## a cell array of fields and their values.  A factor's first value is that of the @var{base}.
 ## @end deftypefn
 
 function [base, choices] = rod_choices ()

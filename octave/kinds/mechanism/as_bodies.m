@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} as_bodies (@var{given})
 ## A scene of one rod with @code{joints} that constrain it (a slider, say) as a scene of one body: its hinge at O, or,
-## with a rotation, the hub that turns its tangent there, its moment and its force are joints of it, beside those given,
-## which are on it where they do not say on which body.  Scenes that have bodies, or no rod, come back as they are.
+## with a rotation, the hub that turns its tangent there, its moment and its force are joints of it, beside those
+## given, which are on it where they do not say on which body.  Scenes that have bodies, or no rod, come back as they
+## are.
 ## @end deftypefn
 
 function scene = as_bodies (given)

@@ -34,7 +34,8 @@ function scene = check_scene (given)
     refuse_with_rotation (scene);
   endif
   if (! isempty (scene.joints) && strcmp (scene.model.axial, "quasistatic"))
-    scene_error ("joints and model.axial = \"quasistatic\" are both given: a rod with joints takes \"dynamic\" or \"none\"");
+    scene_error (["joints and model.axial = \"quasistatic\" are both given: a rod with joints takes \"dynamic\" or" ...
+                  " \"none\""]);
   endif
   scene.solver.tolerance = tolerance_in_metres (scene.solver.tolerance, plane_pixel (scene, scene.rod.length));
 endfunction

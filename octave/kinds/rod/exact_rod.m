@@ -3,7 +3,8 @@
 ## The top rung of the ladder of models: the geometrically exact rod, on the upright plane (see @code{surface_rod}), of
 ## a checked scene of the hinged rod, in [@var{modes} @var{modes}] polynomials.  A struct of x and y (21-by-m, m), the
 ## centreline at the frame times, and count.  Empty for a scene with what it has not: a hub, a force, joints, a tip
-## mass, damping, an initial deformation.  What takes more than so many @var{seconds} (default 300) is given up: an error.
+## mass, damping, an initial deformation.  What takes more than so many @var{seconds} (default 300) is given up: an
+## error.
 ## @end deftypefn
 
 function trial = exact_rod (scene, modes, seconds = 300)

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{y_dot} =} hinged_rod_rate (@var{t}, @var{y}, @var{interval}, @var{n}, @var{c})
 ## Rates of the states @var{y} (a column a time) of @code{hinged_rod} at the times @var{t} (1-by-m), from
-## @code{rod_rates}.
+## @code{rod_rates}; joints' forces depend on the rate of the rotation, from @code{rod_turning}.
 ##
 ## Loads are taken at a time within @var{interval} = [start, end] (s), which has no jump in it.
 ## @end deftypefn
@@ -15,7 +15,7 @@ function y_dot = hinged_rod_rate (t, y, interval, n, c)
   c.interval = interval;
   loads = loads_of_rod (t, motion, c);
   if (! isempty (c.joined))
-    [~, motion.phi_dot] = rod_rates (motion, c.rod, c.gravity, loads);  # which forces leave as it is
+    motion.phi_dot = rod_turning (motion, c.rod, c.gravity, loads);
   endif
   [loads, taken, lost] = with_joints (loads, t, motion, c);
   [V_ddot, phi_dot, torque, power, dissipated] = rod_rates (motion, c.rod, c.gravity, loads);

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{joined} =} joined_rod (@var{model}, @var{joints})
 ## The rod of a @var{model} as its checked @var{joints} see it, which are springs and loads: a mechanism of one body
-## whose O stays at the origin, with markers, springs and loads (see @code{list_markers} and @code{list_springs}), n, its
-## number of coordinates (V; phi; x; y), of which x and y are 0, and length (m).  Empty without joints.
+## whose O stays at the origin, with markers, springs and loads (see @code{list_markers} and @code{list_springs}), n,
+## its number of coordinates (V; phi; x; y), of which x and y are 0, and length (m).  Empty without joints.
 ## @end deftypefn
 
 function joined = joined_rod (model, joints)

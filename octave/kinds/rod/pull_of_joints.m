@@ -1,14 +1,14 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{pull} =} pull_of_joints (@var{t}, @var{motion}, @var{joined})
-## What the springs and loads of a @code{joined_rod} do to it at the times @var{t} (1-by-k), in a @var{motion}, a struct
-## of phi, phi_dot (1-by-k), V and V_dot (n-by-k): a struct of V (n-by-k, N) and phi (1-by-k, N m), the generalized
-## forces, taken (W), the power that springs and dampers take from the rod, dissipated (W), of the dampers alone, and
-## energy (J), of the springs (1-by-k).
+## What the springs and loads of a @code{joined_rod} do to it at the times @var{t} (1-by-k), in a @var{motion}, a
+## struct of phi, phi_dot (1-by-k), V and V_dot (n-by-k): a struct of V (n-by-k, N) and phi (1-by-k, N m), the
+## generalized forces, taken (W), the power that springs and dampers take from the rod, dissipated (W), of the dampers
+## alone, and energy (J), of the springs (1-by-k).
 ## @end deftypefn
 
 function pull = pull_of_joints (t, motion, joined)
-  at_O = zeros (2, columns (motion.phi));
-  at = marker_motion (joined, [motion.V; motion.phi; at_O], [motion.V_dot; motion.phi_dot; at_O]);
+  motion.x = motion.y = motion.x_dot = motion.y_dot = zeros (size (motion.phi));
+  at = marker_motion (joined, columns (motion.phi), @(group) motion);
   springs = spring_forces (joined, at);
   forces = -forces_of_markers (joined, at, reactions (joined, joined.springs, springs, springs.tension));
   if (! isempty (joined.loads))

@@ -27,7 +27,8 @@ endfunction
 
 function rung = two_modes (choice)
   rung = struct ("sines", [], "bending", 2, "longitudinal", strcmp (choice.axial, "dynamic"), ...
-                 "axial", strrep (choice.axial, "auto", "none"), "stiffening", strrep (choice.stiffening, "auto", "none"));
+                 "axial", strrep (choice.axial, "auto", "none"), ...
+                 "stiffening", strrep (choice.stiffening, "auto", "none"));
 endfunction
 
 function name = curve_of (rung)

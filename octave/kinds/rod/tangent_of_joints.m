@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{K}, @var{D}] =} tangent_of_joints (@var{t}, @var{V}, @var{phi}, @var{joined})
-## Stiffness and damping matrix, (n+1)-by-(n+1) in (V, phi), of the springs, dampers and loads of a @code{joined_rod} at
-## the time @var{t} in the place @var{V} (n-by-1), @var{phi}: minus the derivatives of their forces, by central
+## Stiffness and damping matrix, (n+1)-by-(n+1) in (V, phi), of the springs, dampers and loads of a @code{joined_rod}
+## at the time @var{t} in the place @var{V} (n-by-1), @var{phi}: minus the derivatives of their forces, by central
 ## differences of a millionth of the rod's length.
 ## @end deftypefn
 

@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{loads}, @var{taken}, @var{dissipated}] =} with_joints (@var{loads}, @var{t}, @var{motion}, @var{c})
+## @deftypefn {} {[@var{loads}, @var{taken}, @var{dissipated}] =} with_joints (@var{loads}, @var{t}, @var{motion}, @
+##   @var{c})
 ## The @var{loads} of a rod (see @code{loads_of_rod}) with the forces of its joints in the @var{motion} at the times
-## @var{t} (see @code{pull_of_joints}), the power that springs and dampers take, which is no work of the loads, and what
-## dampers dissipate of it (W, 1-by-k; 0 without joints).  @var{c} comes from @code{rod_constants}.
+## @var{t} (see @code{pull_of_joints}), the power that springs and dampers take, which is no work of the loads, and
+## what dampers dissipate of it (W, 1-by-k; 0 without joints).  @var{c} comes from @code{rod_constants}.
 ## @end deftypefn
 
 function [loads, taken, dissipated] = with_joints (loads, t, motion, c)
