@@ -36,6 +36,7 @@ function system = hub_rod (scene, model)
   system.duration = scene.duration;
   system.gravity = scene.gravity;
   system.force = scene.force;
+  system.joined = constants.joined;
   system.longest_step = longest_step (model);
   system.breaks = scene.moment_breaks;
   system.energy_rows = numel (system.initial_state) + [-1, 0];
