@@ -23,18 +23,18 @@
 ## where the marker is in the undeformed rod's frame
 ## @item @var{marker}.place_2 (scalar, m)
 ## likewise
-## @item @var{marker}.direction (scalar, rad)
-## angle of the undeformed tangent there against the frame's x
 ## @item @var{marker}.shape_1 (n-by-1, 1)
 ## longitudinal base functions there
 ## @item @var{marker}.shape_2 (n-by-1, 1)
 ## transversal base functions there
+## @item @var{marker}.shortening_matrix (n-by-n, 1/m)
+## foreshortening there, per amplitudes
+## @item @var{marker}.direction (scalar, rad)
+## angle of the undeformed tangent there against the frame's x
 ## @item @var{marker}.slope_1 (n-by-1, 1/m)
 ## stretching there by the base functions
 ## @item @var{marker}.slope_2 (n-by-1, 1/m)
 ## turning of the tangent there by the base functions
-## @item @var{marker}.shortening_matrix (n-by-n, 1/m)
-## foreshortening there, per amplitudes
 ## @end table
 ##
 ## Results:
@@ -66,12 +66,12 @@ function [phi_phi, phi_V, shortening, slope_1_1, slope_1_2, slope_2_2] = rod_mar
   force_angle = loads.force_angle;
   place_1 = marker.place_1;
   place_2 = marker.place_2;
-  direction = marker.direction;
   shape_1 = marker.shape_1;
   shape_2 = marker.shape_2;
+  shortening_matrix = marker.shortening_matrix;
+  direction = marker.direction;
   slope_1 = marker.slope_1;
   slope_2 = marker.slope_2;
-  shortening_matrix = marker.shortening_matrix;
   times = columns (phi);
   n = rows (V);
   if (! size_equal (1, place_1, place_2, direction) || ! size_equal (phi, force_x, force_y, ...
@@ -81,10 +81,10 @@ function [phi_phi, phi_V, shortening, slope_1_1, slope_1_2, slope_2_2] = rod_mar
     check_sizes ("rod_marker_tangent", {"motion.phi", phi, [1, times]; "motion.V", V, [n, times]; ...
       "loads.force_x", force_x, [1, times]; "loads.force_y", force_y, [1, times]; ...
       "loads.force_angle", force_angle, [1, times]; "marker.place_1", place_1, [1, 1]; ...
-      "marker.place_2", place_2, [1, 1]; "marker.direction", direction, [1, 1]; ...
-      "marker.shape_1", shape_1, [n, 1]; "marker.shape_2", shape_2, [n, 1]; ...
-      "marker.slope_1", slope_1, [n, 1]; "marker.slope_2", slope_2, [n, 1]; ...
-      "marker.shortening_matrix", shortening_matrix, [n, n]});
+      "marker.place_2", place_2, [1, 1]; "marker.shape_1", shape_1, [n, 1]; ...
+      "marker.shape_2", shape_2, [n, 1]; "marker.shortening_matrix", shortening_matrix, [n, n]; ...
+      "marker.direction", direction, [1, 1]; "marker.slope_1", slope_1, [n, 1]; ...
+      "marker.slope_2", slope_2, [n, 1]});
   endif
   v_1 = shape_1.'*V;
   v_2 = cos(phi);

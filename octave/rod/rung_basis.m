@@ -1,5 +1,6 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{basis} =} rung_basis (@var{rung}, @var{arrays}, @var{base}, @var{clamped})
+## @deftypefn {} {@var{basis} =} rung_basis (@var{rung}, @var{arrays}, @var{base}, @var{clamped}, @
+##   @var{stiffness_of_joints})
 ## The basis (N-by-n) of the amplitudes V = basis*q on a @var{rung}: the paper's sines as they are, or the lowest
 ## eigenmodes of the linear system that the @var{arrays} of the @var{base} functions make.
 ##
@@ -7,10 +8,12 @@
 ## @code{elongation_numbers}), less what the eigenmodes among the others have of them.
 ##
 ## The bending modes are those of the rod and phi together, free to turn, or with the tangent at O held where
-## @var{clamped}.  Each has the largest amplitude 1.
+## @var{clamped}.  Joints with a stiffness, (N+1)-by-(N+1) in (V, phi) (default: none), bend the modes: of those of a
+## rod that turns, the amplitudes V are taken, but where a mode is hardly more than phi.  Each has the largest
+## amplitude 1.
 ## @end deftypefn
 
-function basis = rung_basis (rung, arrays, base, clamped)
+function basis = rung_basis (rung, arrays, base, clamped, stiffness_of_joints = [])
   N1 = numel (base.longitudinal);
   N = rows (arrays.mass_matrix);
   i1 = 1:N1;
@@ -28,13 +31,32 @@ function basis = rung_basis (rung, arrays, base, clamped)
     phi_of_V = -arrays.slope_2(i2);
   endif
   P = [eye(numel (i2)); phi_of_V.'];
-  mass = P.'*[arrays.mass_matrix(i2,i2), coupling; coupling.', arrays.moment_of_inertia]*P;
+  mass = [arrays.mass_matrix(i2,i2), coupling; coupling.', arrays.moment_of_inertia];
   longitudinal = 0;
   if (strcmp (rung.axial, "dynamic"))
     longitudinal = rung.longitudinal;
   endif
   along = longitudinal_modes_of (base, arrays.mass_matrix(i1,i1), arrays.stiffness_matrix(i1,i1), longitudinal);
-  basis = blkdiag (along, lowest_modes (mass, arrays.stiffness_matrix(i2,i2), rung.bending));
+  stiffness = blkdiag (arrays.stiffness_matrix(i2,i2), 0);
+  if (! isempty (stiffness_of_joints))
+    stiffness += stiffness_of_joints([i2, N + 1],[i2, N + 1]);
+  endif
+  if (isempty (stiffness_of_joints) || clamped)
+    across = lowest_modes (P.'*mass*P, P.'*stiffness*P, rung.bending);
+  else
+    across = modes_that_bend (mass, stiffness, base.length, rung.bending);
+  endif
+  basis = blkdiag (along, across);
+endfunction
+
+## the rod's own lowest frequency, or what joints leave of it, moves a mode without stiffness away from 0
+function modes = modes_that_bend (mass, stiffness, length, n)
+  shift = min ((diag (stiffness)./diag (mass))(1:end-1));
+  modes = lowest_modes (mass, stiffness + shift*mass, n + 1);
+  V = modes(1:end-1,:);
+  bent = max (abs (V), [], 1) > 1e-6*length*abs (modes(end,:));
+  modes = V(:,bent)(:,1:n);
+  modes ./= max (abs (modes), [], 1);
 endfunction
 
 function modes = longitudinal_modes_of (base, mass, stiffness, n)

@@ -28,6 +28,7 @@ function fields = scene_fields ()
     "force",                 [],             "function of t that returns [F_x F_y] in N"
     "force_station",         [],             "nonnegative number in m"
     "tip_mass",              0,              "nonnegative number in kg"
+    "joints",                {},             "struct array, or cell array of structs"
     "initial.phi",           0,              "number in rad"
     "initial.phi_dot",       0,              "number in rad/s"
     "initial.V1",            [],             "vector of amplitudes in m"

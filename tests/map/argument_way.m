@@ -86,7 +86,7 @@ endfunction
 %! said = strsplit (evalc ("argument_way ('rod_rates', 'motion')"), "\n");
 %! assert (regexprep (said{1}, ':\d+', ""), "octave/kinds/rod/hinged_rod_rate.m rod_rates (motion): motion");
 %! assert (said{3}, "| motion.phi = y(n+1,:);");
-%! assert (regexprep (said{6}, ':\d+', ""), "  octave/kinds/rod/hinged_rod.m hinged_rod_rate (y): y");
+%! assert (regexprep (said{7}, ':\d+', ""), "  octave/kinds/rod/hinged_rod.m hinged_rod_rate (y): y");
 %! assert (any (strncmp (strtrim (said), "octave/driver.m:", 16)));
 %!error <stays takes q, scale, tolerance: "x" is none of these> argument_way ("stays", "x")
 %!error <nothing in octave/ calls a function "nowhere"> argument_way ("nowhere", "x")

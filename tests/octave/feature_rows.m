@@ -16,6 +16,7 @@ function rows = feature_rows ()
   angle = joint ("angle", 0, at_rest);
   place = joint ("position", 0, @(t) [1.5 0; 0 0; 0 0]);
   spring = setfield (joint ("spring", 1, 0), "stiffness", 100);
+  on_one = @(joint) rmfield (joint, "bodies");
   hinge = struct ("kind", "revolute", "bodies", [1 2], "stations", [1 0]);
   none = {"", "", "", ""};
   as_body = {"as a body of a mechanism", "as a body of a mechanism", "", ""};
@@ -31,8 +32,9 @@ function rows = feature_rows ()
     "force on the way", {"force", @(t) [0 1], "force_station", 0.5}, joint("force", 0.5, [0 1]), ...
       {"force", [0 0 1], "force_station", 0.2}, as_body_if_curved
     "moment at O", {"moment", 0.1}, joint("moment", 0, 0.1), {"moment", 0.01}, none
-    "moment elsewhere", {"tip_moment", 0.1}, joint("moment", 1, 0.1), {"tip_moment", 0.01}, as_body
-    "springs, dampers", {"joints", {spring}}, spring, {"joints", {spring}}, as_body
+    "moment elsewhere", {"joints", {on_one(joint ("moment", 1, 0.1))}}, joint("moment", 1, 0.1), ...
+      {"tip_moment", 0.01}, none
+    "springs, dampers", {"joints", {on_one(spring)}}, spring, {"joints", {spring}}, none
     "joints between rods", {"joints", {hinge}}, hinge, {"joints", {hinge}}, ...
       {"one rod has none", "one rod has none", "", ""}
     "prescribed rotation", {"rotation", at_rest}, angle, {"rotation", at_rest}, as_body_if_curved

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{base}, @var{choices}] =} rod_choices ()
-## A scene of one rod, and what may be chosen of it: rows of factor, value, and the change that it makes of the scene, a
-## cell array of fields and their values.  A factor's first value is that of the @var{base}.
+## A scene of one rod, and what may be chosen of it: rows of factor, value, and the change that it makes of the scene,
+## a cell array of fields and their values.  A factor's first value is that of the @var{base}.
 ## @end deftypefn
 
 function [base, choices] = rod_choices ()
@@ -13,6 +13,8 @@ function [base, choices] = rod_choices ()
   base.solver.step = 1e-4;
   stiffness = struct ("length", 1, "EA", 1e6, "EI", 8, "rhoA", 0.2);
   spin = @(t) [50*t^2, 100*t, 100];
+  spring = @(kind, station) struct ("kind", kind, "stations", station, "point", [station, station < 1], ...
+                                    "stiffness", 20, "damping", 0.01);
   choices = {
     "section", "material", {}
     "section", "stiffness", {"rod", stiffness}
@@ -38,6 +40,10 @@ function [base, choices] = rod_choices ()
     "force", "at O", {"force", @(t) [1 1], "force_station", 0}
     "tip mass", "none", {}
     "tip mass", "some", {"tip_mass", 0.1}
+    "joints", "none", {}
+    "joints", "a spring at O", {"joints", {spring("torsion_spring", 0)}}
+    "joints", "a spring across", {"joints", {spring("spring", 0.5)}}
+    "joints", "at the tip", {"joints", {spring("bushing", 1), struct("kind", "moment", "stations", 1, "value", 0.1)}}
     "initial angle", "rest", {}
     "initial angle", "turned, turning", {"initial.phi", 0.5, "initial.phi_dot", 3}
     "initial stretch", "none", {}

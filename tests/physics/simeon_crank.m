@@ -33,7 +33,7 @@ function state = simeon_crank (changes, tolerance)
   endif
   states = integrate_constrained (system, [0 0.1], start, struct ("name", "radau", "tolerance", tolerance));
   q = states.q(:,2);
-  at = marker_motion (mechanism, q, 0*q);
+  at = markers_of_states (mechanism, q, 0*q);
   V = q(rod(1:end-3));
   bending = V(end/2 + [1 2]);
   state = [q(rod(end-2)); at.x(mechanism.marker_of(4,1)); bending; along*V];

@@ -17,7 +17,7 @@ function [start, warnings] = assemble_mechanism (scene, mechanism, system)
   at = system.at (0, q, given_v);
   [mass, jacobian] = system.matrices (at);
   refuse_dependent (system, 0, jacobian);
-  refuse_coincident (scene, mechanism, at.markers);
+  refuse_coincident (scene.joints, mechanism, at.markers);
   v = project_velocities (system, 0, q, given_v);
   start = struct ("q", q, "v", v, "W", 0, "D", 0);
   warnings = [what_moved(q - given_q, v - given_v, mechanism, scene), loose_bodies(scene), locked(scene, system)];
@@ -31,19 +31,6 @@ function refuse_open (scene, mechanism, system, q)
   loop = {scene.bodies(bodies(bodies > 0)).name};
   scene_error (["the mechanism cannot be assembled: %s stay apart by %.3g m (or rad); the loop through %s" ...
                 " does not close"], strjoin (names, ", "), max (residual), strjoin (loop, ", "));
-endfunction
-
-## a spring's force is along the line through its points
-function refuse_coincident (scene, mechanism, markers)
-  is_spring = strcmp ({scene.joints.kind}, "spring")(:).';  # Octave 11 goes once through a column of none
-  for j = find (is_spring)
-    pair = mechanism.marker_of(j,:);
-    apart = hypot (diff (markers.x(pair)), diff (markers.y(pair)));
-    if (apart <= 1e-9*scene.bodies(scene.joints(j).bodies(1)).rod.length)
-      scene_error (["%s: the points of the spring coincide at the start, so that its force has no direction: take a" ...
-                    " bushing, which holds two points together, or another place"], scene.joints(j).name);
-    endif
-  endfor
 endfunction
 
 function warnings = what_moved (dq, dv, mechanism, scene)

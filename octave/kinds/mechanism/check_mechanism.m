@@ -6,15 +6,13 @@
 ## @end deftypefn
 
 function scene = check_mechanism (given)
-  [fields, of_body, of_joint] = mechanism_fields ();
+  [fields, of_body] = mechanism_fields ();
   scene = take_fields (same_modes (as_bodies (without_probed (given))), fields, "a scene of bodies");
   refuse_missing_solver (scene.solver.name, "radau");
-  scene.bodies = checked_list (scene.bodies, of_body, "bodies", @check_body);
-  scene.joints = checked_list (scene.joints, of_joint, "joints", @(joint, what) check_joint (joint, what, scene));
+  scene.bodies = take_list (scene.bodies, of_body, "bodies", "body", @check_body);
+  scene.joints = check_joints (scene.joints, scene.bodies);
   [scene.breaks, scene.probed] = load_breaks (joint_loads (scene.joints), scene.breaks, scene);
-  for k = 1:numel (scene.joints)
-    scene.joints(k).value = joint_value (scene.joints(k), sprintf ("joints(%d).value", k), scene.bodies);
-  endfor
+  scene.joints = with_values (scene.joints, scene.bodies);
   scene.solver.tolerance = tolerance_in_metres (scene.solver.tolerance, mechanism_kind ().pixel (scene));
 endfunction
 
@@ -34,29 +32,6 @@ function scene = same_modes (scene)
   endif
 endfunction
 
-function list = checked_list (given, fields, name, check)
-  if (isstruct (given))
-    given = num2cell (given);
-  endif
-  list = struct ([]);
-  for k = 1:numel (given)
-    what = sprintf ("%s(%d)", name, k);
-    if (! (isstruct (given{k}) && isscalar (given{k})))
-      scene_error ("%s is a %s: it takes a struct", what, class (given{k}));
-    endif
-    item = check (take_fields (given{k}, fields, what), what);
-    if (isempty (item.name))
-      item.name = sprintf ("%s %d", name(1:end-1), k);
-      item.name = strrep (item.name, "bodie ", "body ");
-    endif
-    list = [list, item];
-  endfor
-  if (isempty (list))
-    names = unique (strtok (fields(:,1), "."));
-    list = cell2struct (cell (0, numel (names)), names, 2).';
-  endif
-endfunction
-
 function body = check_body (body, what)
   check_section (body.rod, [what "."]);
   if (! isempty (body.rod.curvature))
@@ -68,36 +43,6 @@ function body = check_body (body, what)
   if (strcmp (body.model.axial, "quasistatic"))
     scene_error ("%s.model.axial is \"quasistatic\": a rod of a mechanism takes \"dynamic\" or \"none\"", what);
   endif
-endfunction
-
-function joint = check_joint (joint, what, scene)
-  bodies = joint.bodies(:).';
-  if (! any (numel (bodies) == [1 2]) || any (bodies != fix (bodies)) || bodies(1) < 1 || any (bodies < 0) ...
-      || any (bodies > numel (scene.bodies)) || (numel (bodies) == 2 && bodies(1) == bodies(2)))
-    scene_error ("%s.bodies is [%s]: it takes a body's number from 1 to %d, and another's or 0 for the ground", ...
-                 what, num2str (bodies), numel (scene.bodies));
-  endif
-  joint.bodies = [bodies, 0](1:2);
-  on = joint.bodies(joint.bodies > 0);
-  if (numel (joint.stations) != numel (on))
-    scene_error ("%s.stations are [%s]: it takes a station on each of its %d bodies", what, ...
-                 num2str (joint.stations(:).'), numel (on));
-  endif
-  for k = 1:numel (on)
-    length = scene.bodies(on(k)).rod.length;
-    if (joint.stations(k) < 0 || joint.stations(k) > length)
-      scene_error ("%s.stations(%d) is %g: body %d has places from 0 to %g m", what, k, joint.stations(k), ...
-                   on(k), length);
-    endif
-  endfor
-  joint.stations = [joint.stations(:).', 0](1:2);
-  if (numel (joint.point) != 2)
-    scene_error ("%s.point has %d numbers: it takes [x y] in m", what, numel (joint.point));
-  endif
-  if (strcmp (joint.kind, "bushing") && joint.rest != 0)
-    scene_error ("%s.rest is %g: a bushing holds its points together, its rest is 0", what, joint.rest);
-  endif
-  joint.constant = isnumeric (joint.value);
 endfunction
 
 %!function scene = two ()

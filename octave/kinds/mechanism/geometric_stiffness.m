@@ -37,7 +37,7 @@ endfunction
 %! rand ("seed", 5);
 %! [q, h] = deal (start.q + 0.01*rand (system.n, 1), 1e-6);
 %! F = struct ("x", rand (10, 1), "y", rand (10, 1), "angle", rand (10, 1));
-%! forces = @(q) forces_of_markers (system.mechanism, marker_motion (system.mechanism, q, 0*q), F);
+%! forces = @(q) forces_of_markers (system.mechanism, markers_of_states (seen_whole (system.mechanism), q, 0*q), F);
 %! K = geometric_stiffness (system.mechanism, q, F);
 %! for k = 1:system.n
 %!   step = h*(1:system.n == k).';

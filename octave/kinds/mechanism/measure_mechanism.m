@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{history} =} measure_mechanism (@var{system}, @var{times}, @var{states})
 ## What is observed of a mechanism at the frame times: a struct of 1-by-m rows t, T, U, Z, W, D, balance (T + U + Z +
-## D - W, constant), energy_floor (J), lambda (constraints-by-m), markers (x, y: markers-by-m), residual and velocity_residual (the
-## largest of all constraints, 1-by-m) and bodies (a struct array of phi, phi_dot, psi, x, y, tip_x, tip_y (1-by-m),
-## V (N-by-m) and V_names).
+## D - W, constant), energy_floor (J), lambda (constraints-by-m), markers (x, y: markers-by-m), residual and
+## velocity_residual (the largest of all constraints, 1-by-m) and bodies (a struct array of phi, phi_dot, psi, x, y,
+## tip_x, tip_y (1-by-m), V (N-by-m) and V_names).
 ## @end deftypefn
 
 function history = measure_mechanism (system, times, states)
@@ -15,7 +15,7 @@ function history = measure_mechanism (system, times, states)
   inertia = sum (cellfun (@(model) model.arrays.moment_of_inertia, mechanism.models));
   history.energy_floor = energy_floor (inertia, system.duration);
   history.lambda = states.lambda;
-  history.markers = struct ("x", at.markers.x, "y", at.markers.y);
+  history.markers = marker_places (mechanism, states.q);
   history.residual = max ([abs(at.constraints.residual); zeros(1, numel (times))], [], 1);
   history.velocity_residual = max ([abs(at.constraints.velocity); zeros(1, numel (times))], [], 1);
   for k = 1:numel (mechanism.models)

@@ -22,7 +22,8 @@ function drawing = mechanism_drawing (scene, mechanism, history)
     drawing.bodies(k) = body;
   endfor
   drawing.notes = stress_notes ([scene.bodies.rod], drawing.bodies);
-  drawing.hinges = pins (scene, mechanism, history);
+  of_joints = mechanism.marker_of(:,1);
+  drawing.hinges = pins_of_joints (scene.joints, history.markers.x(of_joints,:), history.markers.y(of_joints,:));
   drawing.strips = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions"});
   drawing.panels = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions", "energies"});
   curved = arrayfun (@(body) ! isempty (body.rod.curvature), scene.bodies);
@@ -33,16 +34,6 @@ function drawing = mechanism_drawing (scene, mechanism, history)
   if (any (curved))
     drawing.equations{end+1} = "curved";
   endif
-endfunction
-
-## where joints with a point are
-function hinges = pins (scene, mechanism, history)
-  shapes = struct ("revolute", "pin", "position", "pin", "bushing", "pin", "weld", "weld", "slider", "block");
-  pinned = find (arrayfun (@(joint) isfield (shapes, joint.kind), scene.joints(:).'));
-  markers = mechanism.marker_of(pinned,1);
-  hinges = struct ("x", history.markers.x(markers,:), "y", history.markers.y(markers,:));
-  hinges.ground = arrayfun (@(joint) joint.bodies(2) == 0 && ! strcmp (joint.kind, "slider"), scene.joints(pinned)(:));
-  hinges.shape = arrayfun (@(joint) shapes.(joint.kind), scene.joints(pinned)(:), "uniformoutput", false);
 endfunction
 
 %!test

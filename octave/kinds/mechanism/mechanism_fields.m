@@ -1,15 +1,14 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{scene}, @var{body}, @var{joint}] =} mechanism_fields ()
-## All fields of a scene with several bodies, of each of its bodies and of each of its joints, a row each:
-## name, default, kind (see @code{value_error}).  rod and model of a body are those of a scene with one rod
-## (see @code{scene_fields}).
+## @deftypefn {} {[@var{scene}, @var{body}] =} mechanism_fields ()
+## All fields of a scene with several bodies and of each of its bodies, a row each: name, default, kind (see
+## @code{value_error}).  rod and model of a body are those of a scene with one rod (see @code{scene_fields}); joints
+## have @code{joint_fields}.
 ##
 ## initial.x, initial.y (m) are the place of the body's end O, initial.x_dot, initial.y_dot (m/s) its velocity; without
 ## them they are what its first joint makes them.
-## A joint's kind says which of its fields count, see @code{joint_kinds}.
 ## @end deftypefn
 
-function [scene, body, joint] = mechanism_fields ()
+function [scene, body] = mechanism_fields ()
   rod = scene_fields ();
   of = @(prefix) rod(strncmp (rod(:,1), prefix, numel (prefix)),:);
   scene = [
@@ -31,20 +30,8 @@ function [scene, body, joint] = mechanism_fields ()
   };
   body = [{"name", "", "text"}; of("rod."); of("tip_mass"); initial; of("initial.V"); of("model.modes");
           of("model.energy"); of("model.axial"); of("model.stiffening"); of("model.rotary_inertia")];
-  joint = {
-    "name",      "",      "text"
-    "kind",      NaN,     ["\"" strjoin({joint_kinds().name}, "\", \"") "\""]
-    "bodies",    NaN,     "vector of one or two numbers of bodies, 0 for the ground"
-    "stations",  [],      "vector of stations in m, one a body"
-    "point",     [0 0],   "vector [x y] of a place on the ground in m"
-    "direction", 0,       "number in rad"
-    "value",     0,       "vector or function of t, see joint_kinds"
-    "stiffness", 0,       "nonnegative number in N/m or N m/rad"
-    "damping",   0,       "nonnegative number in N s/m or N m s/rad"
-    "rest",      0,       "number in m or rad"
-  };
 endfunction
 
 %!test
-%! [scene, body, joint] = mechanism_fields ();
-%! assert (any (strcmp ("rod.length", body(:,1)))); assert (columns (joint), 3);
+%! [scene, body] = mechanism_fields ();
+%! assert (any (strcmp ("rod.length", body(:,1)))); assert (columns (scene), 3);

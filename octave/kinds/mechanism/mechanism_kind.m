@@ -1,11 +1,12 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{kind} =} mechanism_kind ()
-## Several bodies, held by joints, or one rod that has joints, among the kinds of scenes (see @code{kind_of}).
+## Several bodies, held by joints, among the kinds of scenes (see @code{kind_of}); or one rod with joints of which one
+## constrains it, or that is curved.
 ## @end deftypefn
 
 function kind = mechanism_kind ()
   kind.name = "mechanism";
-  kind.has = @(given) isfield (given, "bodies") || (isfield (given, "joints") && ! isfield (given, "surface"));
+  kind.has = @(given) isfield (given, "bodies") || (isfield (given, "joints") && ! one_straight_rod (given));
   kind.check = @check_mechanism;
   kind.pixel = @(scene) plane_pixel (scene, max (arrayfun (@(body) body.rod.length, scene.bodies)));
   kind.stated = @stated_rung;
@@ -28,6 +29,12 @@ function kind = mechanism_kind ()
   kind.literal = @(scene) [];
   kind.sized = @model_of_size;
   kind.reference = {"radau", 1e-12};
+endfunction
+
+## whose joints are springs and loads; a curved one may have none
+function yes = one_straight_rod (given)
+  straight = isfield (given, "rod") && ! (isfield (given.rod, "curvature") && ! isempty (given.rod.curvature));
+  yes = isfield (given, "rod") && (isempty (given.joints) || (straight && are_forces (given.joints)));
 endfunction
 
 function [rung, note] = stated_rung (scene)

@@ -45,11 +45,14 @@ function by = by_markers (count, constraints, c)
   row = column = value = {};
   for i = 1:numel (c.gradients)
     kind = constraints.kinds(i);
-    row{end+1} = repmat (of_states (kind.rows(:), constraints.count, states)(:), 6, 1);
-    for slot = 1:3
-      column{end+1} = [of_states(kind.first(:) + (slot - 1)*count, 3*count, states)(:)
-                       of_states(kind.second(:) + (slot - 1)*count, 3*count, states)(:)];
-      value{end+1} = [c.gradients{i}{slot}(:); c.gradients{i}{slot+3}(:)];
+    for coordinate = kind.coordinates
+      markers = kind.first;
+      if (coordinate > 3)
+        markers = kind.second;
+      endif
+      row{end+1} = of_states (kind.rows(:), constraints.count, states)(:);
+      column{end+1} = of_states (markers(:) + mod (coordinate - 1, 3)*count, 3*count, states)(:);
+      value{end+1} = c.gradients{i}{coordinate}(:);
     endfor
   endfor
   by = sparse (vertcat (row{:}), vertcat (column{:}), vertcat (value{:}), constraints.count*states, 3*count*states);
@@ -64,7 +67,10 @@ function by = markers_by_coordinates (mechanism, at)
     number = repmat (of_states (part.numbers(:), 3*count, states)(:).', R, 1)(:);
     row{end+1} = [number; number + count; number + 2*count];
     column{end+1} = repmat (of_states (part.index, mechanism.n, states)(:), 3, 1);
-    value{end+1} = [part.x_q(:); part.y_q(:); part.angle_q(:)];
+    none = zeros (1, numel (part.numbers)*states);
+    filled = @(V, phi, x, y) ([zeros(R - 3, 1) + V + none; phi + none; x; y])(:);
+    value{end+1} = [filled(part.x_V, part.x_phi, 1 + none, none); filled(part.y_V, part.y_phi, none, 1 + none)
+                    filled(part.angle_V, 1 + none, none, none)];
   endfor
   by = sparse (vertcat (row{:}), vertcat (column{:}), vertcat (value{:}), 3*count*states, mechanism.n*states);
 endfunction

@@ -4,8 +4,8 @@
 ## L - lambda Phi.
 ##
 ## Fields: n, constraint_count, spring_count, stiffness, damping_matrix (n-by-n, constant), mass (n-by-n, of the bodies
-## as they are made), duration, breaks, forms, auto, q_scale (m: what each coordinate may be off by where a point is off by 1 m),
-## and, for times t (1-by-k) and states q, v (n-by-k),
+## as they are made), duration, breaks, forms, auto, q_scale (m: what each coordinate may be off by where a point is
+## off by 1 m), and, for times t (1-by-k) and states q, v (n-by-k),
 ##
 ## @table @code
 ## @item at (t, q, v)
@@ -18,6 +18,8 @@
 ## @item tangent (at, lambda, tension)
 ## minus the derivative of f - Phi_q' lambda by q, less what inertia forces have in it and less that of the tensions
 ## themselves (sparse n-by-n, a block a state along the diagonal)
+## @item constraint_convection (at, v)
+## what Phi'' is without accelerations (constraints-by-k)
 ## @item convection (at, v)
 ## (dM/dt) v: with f it is dL/dq of one state
 ## @item matrices (at)
@@ -60,17 +62,16 @@ function system = mechanism_system (scene, mechanism)
     system.tangent = @(at, lambda, tension) along_diagonal (system.stiffness, at) + geometric_stiffness (
       mechanism, at.q, forces_on_markers (mechanism, at, lambda, tension));
   endif
+  system.constraint_convection = @(at, v) constraint_convection (
+    mechanism.constraints, at.prescribed, at.markers, at.constraints, marker_convection (mechanism, at.q, v));
   system.convection = @(at, v) rod_convection (mechanism, at.q, v);
   system.matrices = @(at) mechanism_matrices (mechanism, at.rods, at.markers, at.constraints, at.springs);
   system.energies = @(q, v, at) mechanism_energies (mechanism, q, v) + [0; 1; 0]*at.springs.energy;
 endfunction
 
 function prescribed = prescribed_at (mechanism, t)
-  prescribed = struct ("t", t, "constraints", {prescribed_values(mechanism.constraints, t)}, "loads", {{}});
-  for j = 1:numel (mechanism.loads)
-    prescribed.loads{j} = zeros (3, numel (t));
-    prescribed.loads{j}(mechanism.loads(j).parts,:) = at_times (mechanism.loads(j).value, t);
-  endfor
+  prescribed = struct ("t", t, "constraints", {prescribed_values(mechanism.constraints, t)}, ...
+                       "loads", {applied_values(mechanism.loads, t)});
 endfunction
 
 function at = everything (mechanism, t, q, v)
@@ -78,8 +79,9 @@ function at = everything (mechanism, t, q, v)
     t = prescribed_at (mechanism, t);
   endif
   at.q = q;
+  at.prescribed = t.constraints;
   at.rods = rod_dynamics (mechanism, q, v);
-  at.markers = marker_motion (mechanism, q, v);
+  at.markers = markers_of_states (mechanism, q, v);
   at.constraints = joint_constraints (mechanism.constraints, t.constraints, at.markers);
   at.springs = spring_forces (mechanism, at.markers);
   [at.loads, at.power] = applied_forces (mechanism, t.loads, at.markers);

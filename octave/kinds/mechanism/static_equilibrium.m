@@ -60,7 +60,7 @@ endfunction
 %! assert (-lambda(1:2), [across; up], 1e-4*up);
 %! assert (-lambda(3:4), [-across; up], 1e-4*up);
 %! N = across*c + (F/2 + mg/2)*s;  # mean thrust
-%! at = marker_motion (system.mechanism, q, 0*q);
+%! at = markers_of_states (system.mechanism, q, 0*q);
 %! drop = 0.6 - at.y(system.mechanism.marker_of(3,1));
 %! assert (drop, N/(1e8*s), 1e-3*drop);
 %! i = index_of (system.mechanism, 1);

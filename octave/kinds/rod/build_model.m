@@ -29,7 +29,7 @@ function model = build_model (scene, rung)
   model.whole_coupling_vector = arrays.coupling_vector;
 
   N1 = numel (model.base.longitudinal);
-  model.basis = rung_basis (rung, arrays, model.base, ! isempty (scene.rotation));
+  model.basis = rung_basis (rung, arrays, model.base, ! isempty (scene.rotation), stiffness_of_joints (scene, model));
   model.arrays = project_arrays (arrays, model.basis);
   model.followers = [];
   if (strcmp (rung.axial, "quasistatic"))
@@ -61,15 +61,37 @@ function base = base_of (rung, scene, section)
   if (rung.bending > 0)
     across = sines;
   endif
-  if (rung.bending > 0 && moment_at_O (scene))
-    across(end+1) = -1;
+  if (rung.bending > 0)
+    across = [across, moment_corrections(scene)];
   endif
   base = base_functions (along, across, scene.rod.length);
+endfunction
+
+## of the base functions, (N+1)-by-(N+1); empty without joints, or where they are taken as they are
+function K = stiffness_of_joints (scene, model)
+  K = [];
+  if (! isempty (scene.joints) && isempty (model.rung.sines))
+    N = rows (model.whole_mass_matrix);
+    joined = joined_rod (setfield (model, "basis", eye (N)), scene.joints);
+    K = tangent_of_joints (0, zeros (N, 1), first_angle (scene), joined);
+  endif
+endfunction
+
+function phi = first_angle (scene)
+  phi = scene.initial.phi;
+  if (! isempty (scene.rotation))
+    phi = scene.rotation (0)(1);
+  endif
 endfunction
 
 ## where forces act along the rod
 function stations = forced_stations (scene)
   stations = [];
+  for joint = scene.joints(:).'
+    if (! any (strcmp (joint.kind, {"torsion_spring", "moment"})))
+      stations(end+1) = joint.stations(1);
+    endif
+  endfor
   if (! isempty (scene.force))
     stations = scene.force_station;
   endif
@@ -78,8 +100,16 @@ function stations = forced_stations (scene)
   endif
 endfunction
 
-function yes = moment_at_O (scene)
-  yes = ! isempty (scene.rotation) || any (scene.moment (load_times (scene)));
+## -1: a moment acts at O, -2: at the tip
+function numbers = moment_corrections (scene)
+  turned = [];
+  for joint = scene.joints(:).'
+    if (any (strcmp (joint.kind, {"torsion_spring", "moment"})))
+      turned(end+1) = joint.stations(1);
+    endif
+  endfor
+  at_O = ! isempty (scene.rotation) || any (scene.moment (load_times (scene))) || any (turned == 0);
+  numbers = [-1 -2]([at_O, any(turned == scene.rod.length)]);
 endfunction
 
 function followers = followers_of (arrays, k, along)

@@ -13,7 +13,10 @@ function scene = check_scene (given)
   scene = take_fields (without_probed (given), scene_fields (), "a scene");
   refuse_missing_solver (scene.solver.name, "lsode_bdf");
   check_section (scene.rod);
-  [scene.moment_breaks, scene.probed] = load_breaks (loads_of (scene), scene.moment_breaks, scene);
+  scene.joints = check_joints (on_the_rod (scene.joints), scene);
+  loads = [loads_of(scene), joint_loads(scene.joints)];
+  [scene.moment_breaks, scene.probed] = load_breaks (loads, scene.moment_breaks, scene);
+  scene.joints = with_values (scene.joints, scene);
   if (isnumeric (scene.moment))
     moment = scene.moment;
     scene.moment = @(t) moment + zeros (size (t));
@@ -30,7 +33,21 @@ function scene = check_scene (given)
   if (! isempty (scene.rotation))
     refuse_with_rotation (scene);
   endif
+  if (! isempty (scene.joints) && strcmp (scene.model.axial, "quasistatic"))
+    scene_error (["joints and model.axial = \"quasistatic\" are both given: a rod with joints takes \"dynamic\" or" ...
+                  " \"none\""]);
+  endif
   scene.solver.tolerance = tolerance_in_metres (scene.solver.tolerance, plane_pixel (scene, scene.rod.length));
+endfunction
+
+## where they do not say on which body
+function joints = on_the_rod (joints)
+  if (isstruct (joints))
+    joints = num2cell (joints);
+  endif
+  for k = find (cellfun (@(joint) isstruct (joint) && ! isfield (joint, "bodies"), joints(:).'))
+    joints{k}.bodies = 1;
+  endfor
 endfunction
 
 ## the tangent at O is prescribed: a moment there would do nothing, and phi follows
@@ -83,3 +100,11 @@ endfunction
 %!error <a scene is a function that returns a struct, not a double> check_scene (3)
 %!error <initial.V1 is "a": it takes vector of amplitudes in m>
 %! check_scene (setfield (smallest (), "initial", "V1", "a"));
+%!error <joints\(1\).kind is missing: it takes> driver (setfield (smallest (), "joints", {struct()}), "output", "")
+%!error <joints\(1\).bodies is \[2\]: it takes a body's number from 1 to 1, and another's or 0 for the ground>
+%! check_scene (setfield (smallest (), "joints", struct ("kind", "spring", "bodies", 2, "stations", 1)));
+%!error <joints and model.axial = "quasistatic" are both given>
+%! spring = struct ("kind", "torsion_spring", "stations", 0);
+%! check_scene (setfield (setfield (smallest (), "model", "axial", "quasistatic"), "joints", spring));
+%!error <joints\(1\).value gives NaN at t = 0: it takes 1 numbers>
+%! check_scene (setfield (smallest (), "joints", struct ("kind", "moment", "stations", 1, "value", @(t) NaN)));

@@ -2,15 +2,17 @@
 ## @deftypefn {} {@var{trial} =} exact_rod (@var{scene}, @var{modes}, @var{seconds})
 ## The top rung of the ladder of models: the geometrically exact rod, on the upright plane (see @code{surface_rod}), of
 ## a checked scene of the hinged rod, in [@var{modes} @var{modes}] polynomials.  A struct of x and y (21-by-m, m), the
-## centreline at the frame times, and count.  Empty for a scene with what it has not: a hub, a force, a tip mass,
-## damping, an initial deformation.  What takes more than so many @var{seconds} (default: any) is given up: an error.
+## centreline at the frame times, and count.  Empty for a scene with what it has not: a hub, a force, joints, a tip
+## mass, damping, an initial deformation.  What takes more than so many @var{seconds} (default: any) is given up: an
+## error.
 ## @end deftypefn
 
 function trial = exact_rod (scene, modes, seconds = Inf)
   trial = [];
   initial = rmfield (scene.initial, {"phi", "phi_dot"});
   deformed = any (cellfun (@(V) any (V), struct2cell (initial)));
-  if (! isempty (scene.rotation) || ! isempty (scene.force) || scene.tip_mass > 0 || scene.rod.damping > 0 || deformed)
+  loaded = ! isempty (scene.rotation) || ! isempty (scene.force) || ! isempty (scene.joints);
+  if (loaded || scene.tip_mass > 0 || scene.rod.damping > 0 || deformed)
     return;
   endif
   section = rod_section (scene.rod, scene.model);

@@ -7,7 +7,7 @@
 ## Fields: initial_state, rate, motion (times, states) = a struct of q, q_dot (n-by-m), phi, phi_dot (1-by-m) and
 ## torque (of a hub, else empty), energies (phi, phi_dot, q, q_dot) = [T; U; Z], mass and stiffness (of the
 ## coordinates, linear about the undeformed rod), stiffness_at (t, y) (of the rod as it turns), damping_matrix (where
-## there is damping), longest_step (s), velocity_matrix (the second part of y per rates of the coordinates, likewise),
+## there is damping), joined (see @code{joined_rod}), longest_step (s), velocity_matrix (the second part of y per rates of the coordinates, likewise),
 ## momenta and accelerations (other forms of the same, see @code{momenta_of_rod} and @code{accelerations_of_rod}),
 ## turned (see @code{integrate_explicit}: the paper's sines are integrated as they are), breaks (times in s at which a
 ## load jumps) and state_scale, what each state may be off by where a centreline point is off by 1 m.
@@ -21,11 +21,11 @@ function system = hinged_rod (scene, model)
   endif
   a = model.arrays;
   system.mass = [a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia];
-  system.stiffness = blkdiag (a.stiffness_matrix, 0);
-  if (scene.rod.damping > 0)
-    system.damping_matrix = scene.rod.damping*system.stiffness;
+  [system.stiffness, damping] = linear_rod (scene.initial.phi, constants);
+  if (any (damping(:)))
+    system.damping_matrix = damping;
   endif
-  system.stiffness_at = @(t, y) turning_stiffness (y(n+1), y(2*n+2)/a.moment_of_inertia, constants);
+  system.stiffness_at = @(t, y) turning_stiffness (t, y(1:n), y(n+1), y(2*n+2)/a.moment_of_inertia, constants);
   system.velocity_matrix = [eye(n, n + 1); system.mass(end,:)];
   system.initial_state = initial_state (scene.initial, model, constants);
   system.rate = @(t, y, interval) hinged_rod_rate (t, y, interval, n, constants);
@@ -40,6 +40,7 @@ function system = hinged_rod (scene, model)
   system.duration = scene.duration;
   system.gravity = scene.gravity;
   system.force = scene.force;
+  system.joined = constants.joined;
   system.longest_step = longest_step (model);
   system.breaks = scene.moment_breaks;
   system.energy_rows = numel (system.initial_state) + [-1, 0];

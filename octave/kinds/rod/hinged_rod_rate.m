@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{y_dot} =} hinged_rod_rate (@var{t}, @var{y}, @var{interval}, @var{n}, @var{c})
 ## Rates of the states @var{y} (a column a time) of @code{hinged_rod} at the times @var{t} (1-by-m), from
-## @code{rod_rates}.
+## @code{rod_rates}; joints' forces depend on the rate of the rotation, from @code{rod_turning}.
 ##
 ## Loads are taken at a time within @var{interval} = [start, end] (s), which has no jump in it.
 ## @end deftypefn
@@ -14,8 +14,12 @@ function y_dot = hinged_rod_rate (t, y, interval, n, c)
   t = min (max (t, interval(1)), interval(2));
   c.interval = interval;
   loads = loads_of_rod (t, motion, c);
+  if (! isempty (c.joined))
+    motion.phi_dot = rod_turning (motion, c.rod, c.gravity, loads);
+  endif
+  [loads, taken, lost] = with_joints (loads, t, motion, c);
   [V_ddot, phi_dot, torque, power, dissipated] = rod_rates (motion, c.rod, c.gravity, loads);
-  y_dot = [motion.V_dot; phi_dot; V_ddot; torque; power; dissipated];
+  y_dot = [motion.V_dot; phi_dot; V_ddot; torque; power + taken; dissipated + lost];
 endfunction
 
 %!test # where the moment jumps, the interval says which value is meant

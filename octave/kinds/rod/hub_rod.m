@@ -14,11 +14,14 @@ function system = hub_rod (scene, model)
 
   P = [eye(n); -a.slope_2.'];
   system.mass = P.'*[a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia]*P;
-  system.stiffness = a.stiffness_matrix;
-  if (scene.rod.damping > 0)
-    system.damping_matrix = scene.rod.damping*system.stiffness;
+  [stiffness, damping] = linear_rod (scene.rotation (0)(1), constants);
+  system.stiffness = P.'*stiffness*P;
+  damping = P.'*damping*P;
+  if (any (damping(:)))
+    system.damping_matrix = damping;
   endif
-  system.stiffness_at = @(t, y) P.'*turning_stiffness (scene.rotation (t)(1), scene.rotation (t)(2), constants)*P;
+  turning = @(t, V, theta) turning_stiffness (t, V, theta(1), theta(2), constants);
+  system.stiffness_at = @(t, y) P.'*turning (t, y(1:n), scene.rotation (t))*P;
   system.velocity_matrix = eye (n);
   start = initial_coordinates (scene.initial, model, -a.slope_2);
   system.initial_state = [start(1:n,1); start(1:n,2); 0; 0];
@@ -33,6 +36,7 @@ function system = hub_rod (scene, model)
   system.duration = scene.duration;
   system.gravity = scene.gravity;
   system.force = scene.force;
+  system.joined = constants.joined;
   system.longest_step = longest_step (model);
   system.breaks = scene.moment_breaks;
   system.energy_rows = numel (system.initial_state) + [-1, 0];

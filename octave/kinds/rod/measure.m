@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{history} =} measure (@var{system}, @var{model}, @var{times}, @var{states})
 ## What is observed at the frame times: a struct of 1-by-m rows t, phi, phi_dot, psi, tip_x, tip_y, T, U, Z, W, D,
-## balance (T + U + Z + D - W, constant) and torque (of a hub, else empty), energy_floor (J), and the coordinates q
+## balance (T + U + Z + D - W, constant) and torque (of a hub, else empty), joints (see
+## @code{points_of_joints}), energy_floor (J), and the coordinates q
 ## (n-by-m) and amplitudes V (N-by-m) of all base functions, with their names V1_1, ..., V2_1, ... (see
 ## @code{mode_names}).
 ## @end deftypefn
@@ -37,6 +38,7 @@ function history = measure (system, model, times, states)
   history.W = states(end-1,:) + W;
   history.D = states(end,:);
   history.balance = history.T + history.U + history.Z + history.D - history.W;
+  history.joints = points_of_joints (system.joined, motion.q, motion.phi);
   history.energy_floor = energy_floor (a.moment_of_inertia, system.duration);
 endfunction
 

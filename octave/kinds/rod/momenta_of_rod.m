@@ -19,8 +19,9 @@ function z_dot = rate (t, z, interval, n, c)
   t = min (max (t, interval(1)), interval(2));
   loads = loads_of_rod (t, motion, c);
   [motion.V_dot, motion.phi_dot] = rod_velocities (motion, c.rod, c.gravity, loads);
+  [loads, taken, lost] = with_joints (loads, t, motion, c);
   [force_V, torque, power, dissipated] = rod_momentum_rates (motion, c.rod, c.gravity, loads);
-  z_dot = [motion.V_dot; motion.phi_dot; force_V; torque; power; dissipated];
+  z_dot = [motion.V_dot; motion.phi_dot; force_V; torque; power + taken; dissipated + lost];
 endfunction
 
 function y = state (z, n, c)

@@ -10,8 +10,8 @@ function rung = richer_rung (rung, scene)
   if (strcmp (rung.axial, "dynamic"))
     rung.longitudinal = more (rung.longitudinal);
   elseif (strcmp (scene.model.axial, "auto"))
-    next = struct ("none", "quasistatic", "quasistatic", "dynamic");
-    rung.axial = next.(rung.axial);
+    names = axial_treatments (scene);
+    rung.axial = names{find(strcmp (names, rung.axial)) + 1};
     rung.longitudinal = 3*strcmp (rung.axial, "dynamic");
   endif
   if (strcmp (scene.model.stiffening, "auto"))

@@ -3,8 +3,8 @@
 ## What the rates and forces of a rod need besides its state: a struct of the loads moment (t) and force (t),
 ## pulls_followers (whether longitudinal modes without inertia follow the force; see @code{force_at}), interval
 ## ([start, end], s, without a jump of the loads: all times) and what the generated functions take: rod (the
-## @var{model}'s arrays, inverse_mass_matrix, damping and the slopes where the moment works), gravity and point (of the
-## force).
+## @var{model}'s arrays, inverse_mass_matrix, damping and the slopes where the moment works), gravity, point (of the
+## force) and joined (of its joints: see @code{joined_rod}).
 ## @end deftypefn
 
 function constants = rod_constants (scene, model)
@@ -22,6 +22,7 @@ function constants = rod_constants (scene, model)
   constants.interval = [0, scene.duration];
   constants.point = model.force;
   constants.point.station = scene.force_station;
+  constants.joined = joined_rod (model, scene.joints);
   for name = {"follower_fd", "follower_fs", "follower_ff"}
     constants.point.(name{1}) = a.(name{1});
   endfor

@@ -29,6 +29,7 @@ function drawing = rod_drawing (scene, model, history)
   if (! isempty (scene.rotation))
     drawing.hinges.shape = {"hub"};
   endif
+  drawing.hinges = with_pins (drawing.hinges, scene.joints, history.joints);
   drawing.strips = rod_strips (history, drawing.moment, undeformed_tip (model));
   drawing.panels = rod_panels (history, undeformed_tip (model));
   drawing.equations = {"hinged", "straight"};
@@ -37,11 +38,23 @@ function drawing = rod_drawing (scene, model, history)
   endif
 endfunction
 
+## of joints, bushings, on the ground
+function hinges = with_pins (hinges, joints, points)
+  if (! isempty (joints))
+    pins = pins_of_joints (joints, points.x, points.y);
+    hinges = struct ("x", [hinges.x; pins.x], "y", [hinges.y; pins.y], "shape", {[hinges.shape; pins.shape]});
+  endif
+endfunction
+
 %!test
 %! [scene, model] = sample_rod ([0 1]);
-%! history = setfield (sample_history (2), "V", [0, 1e-4]);
+%! history = setfield (setfield (sample_history (2), "V", [0, 1e-4]), "joints", []);
 %! [history.phi, history.V_names] = deal ([0 0], {"V2_1"});
 %! drawing = rod_drawing (scene, model, history);
 %! assert (max (drawing.bodies.stress(:,2)), (1.2e11 + 2*8.1e10)*pi^2*1e-4*0.015, 1);  # (12), with the paper's EI
 %! assert (drawing.notes, {});
 %! assert (max (drawing.bodies.y(:,2)), 300e-4, 1e-12);
+%! scene.joints = struct ("kind", {"spring", "bushing"}, "bodies", [1 0]);
+%! history.joints = struct ("x", [1 1; 2 3], "y", [4 4; 5 6]);
+%! hinges = rod_drawing (scene, model, history).hinges;
+%! assert (hinges.x, [0 0; 2 3]); assert (hinges.shape, {"pin"; "pin"});

@@ -7,6 +7,9 @@
 function [E, p] = rod_energies_of (phi, phi_dot, q, q_dot, c)
   motion = struct ("phi", phi, "phi_dot", phi_dot, "V", q, "V_dot", q_dot);
   [T, U, Z, p] = rod_energies (motion, c.rod, c.gravity);
+  if (! isempty (c.joined))
+    U += pull_of_joints (zeros (size (phi)), motion, c.joined).energy;
+  endif
   E = [T; U; Z];
 endfunction
 

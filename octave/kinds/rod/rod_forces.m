@@ -9,8 +9,11 @@
 function [mass_V_phi, mass_phi_phi, force_V, force_phi, power, dissipated, more_power] = rod_forces ( ...
     t, phi, phi_dot, V, V_dot, c)
   motion = struct ("phi", phi, "phi_dot", phi_dot, "V", V, "V_dot", V_dot);
+  [loads, taken, lost] = with_joints (loads_of_rod (t, motion, c), t, motion, c);
   [mass_V_phi, mass_phi_phi, force_V, force_phi, power, dissipated, more_power] = rod_equations (
-    motion, c.rod, c.gravity, loads_of_rod (t, motion, c));
+    motion, c.rod, c.gravity, loads);
+  power += taken;
+  dissipated += lost;
 endfunction
 
 %!test # with the mass matrix they give the same accelerations as the rates of the hinged rod, followers or not

@@ -70,6 +70,8 @@ endfunction
 function rungs = rungs_around (scene, chosen, richer)
   if (isempty (scene.rod.curvature))
     rungs = ladder_rungs (chosen, richer);
+    known = axial_treatments (scene);
+    rungs = rungs(cellfun (@(rung) any (strcmp (rung.axial, known)), rungs));
   else
     rungs = curved_rungs (chosen, richer);
   endif
@@ -78,7 +80,7 @@ endfunction
 ## whose literal equations have a hinge, weight and a moment
 function rung = paper_sines (scene)
   rung = [];
-  more = ! isempty (scene.rotation) || ! isempty (scene.force) || scene.tip_mass > 0;
+  more = ! isempty (scene.rotation) || ! isempty (scene.force) || scene.tip_mass > 0 || ! isempty (scene.joints);
   if (isempty (scene.rod.curvature) && ! more)
     rung = rung_of_scene (setfield (scene, "model", "modes", [7 7]));
   endif
@@ -95,10 +97,11 @@ function own = describe_rod (scene, run)
   own.rotary_inertia = logical (scene.model.rotary_inertia);
 endfunction
 
-## a rod on a plane is exact, but has neither hub nor tip mass, damping or a force on the way
+## a rod on a plane is exact, but has neither hub nor tip mass, joints, damping or a force on the way
 function text = instead_of_rod (scene)
   text = welded_rods ();
-  if (isempty (scene.rotation) && isempty (scene.force) && scene.tip_mass == 0 && scene.rod.damping == 0)
+  more = ! isempty (scene.rotation) || ! isempty (scene.force) || ! isempty (scene.joints);
+  if (! more && scene.tip_mass == 0 && scene.rod.damping == 0)
     text = "the rod on an upright plane, scene.surface.name = \"plane\", is geometrically exact";
   endif
 endfunction

@@ -2,13 +2,17 @@
 ## @deftypefn {} {@var{ladder} =} rod_ladder (@var{scene})
 ## The ladder of models (see @code{choose}) of a checked scene of one straight rod: from the rigid rod over bending
 ## modes to longitudinal modes that follow their loads without inertia, and to those that vibrate, each with or without
-## foreshortening (see @code{rung_of_scene}).  @code{predict_rung} guesses from the loads.
+## foreshortening (see @code{rung_of_scene}).  @code{predict_rung} guesses from the loads; of a rod with joints, which
+## the rigid rod's motion does not tell, the first rung that is tried has two bending modes.
 ## @end deftypefn
 
 function ladder = rod_ladder (scene)
   ladder.share = 0.95;
   ladder.parts = {"axial", "bending", "stiffening"};
   ladder.first = @() predict_rung (scene);
+  if (! isempty (scene.joints))
+    ladder.first = @() deal (two_modes (scene.model), "");
+  endif
   ladder.richer = @(rung) richer_rung (rung, scene);
   ladder.smaller = @(rung, part) smaller_rung (rung, part, scene);
   ladder.left_out = @left_out_of;
@@ -19,6 +23,12 @@ function ladder = rod_ladder (scene)
   ladder.curve = @curve_of;
   ladder.solver = setfield (setfield (scene.solver, "name", "auto"), "tolerance", scene.solver.tolerance/5);
   ladder.name = @rung_name;
+endfunction
+
+function rung = two_modes (choice)
+  rung = struct ("sines", [], "bending", 2, "longitudinal", strcmp (choice.axial, "dynamic"), ...
+                 "axial", strrep (choice.axial, "auto", "none"), ...
+                 "stiffening", strrep (choice.stiffening, "auto", "none"));
 endfunction
 
 function name = curve_of (rung)

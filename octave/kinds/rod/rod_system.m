@@ -7,6 +7,10 @@
 function system = rod_system (scene, model)
   kinds = {@hinged_rod, @hub_rod};
   system = kinds{2 - isempty(scene.rotation)} (scene, model);
+  if (! isempty (system.joined))
+    start = system.motion (0, system.initial_state);
+    refuse_coincident (scene.joints, system.joined, marker_places (system.joined, [start.q; start.phi; 0; 0]));
+  endif
 endfunction
 
 %!test # a hinged rod falls from rest by 3/2 g/l (less what its height takes), a hub's rod is where the hub is

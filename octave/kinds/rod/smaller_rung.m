@@ -16,8 +16,8 @@ function rung = smaller_rung (rung, part, scene)
       if (strcmp (rung.axial, "dynamic") && rung.longitudinal > 1)
         rung.longitudinal--;
       elseif (strcmp (scene.model.axial, "auto"))
-        before = struct ("dynamic", "quasistatic", "quasistatic", "none", "none", "none");
-        rung.axial = before.(rung.axial);
+        names = axial_treatments (scene);
+        rung.axial = names{max(find (strcmp (names, rung.axial)) - 1, 1)};
         rung.longitudinal = 0;
       endif
   endswitch

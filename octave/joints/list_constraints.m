@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{constraints} =} list_constraints (@var{mechanism}, @var{joints}, @var{field})
 ## The scalar constraints of all @var{joints}, or, where @var{field} is "springs", the elongations of their springs: a
-## struct of kinds (those of one function at once: form, rows, first, second (markers), offset, joints, component (of
-## the joint's value), constant (values), moving (rows whose value is a function of time)), values (the joints'
-## functions of t), names (a constraint each) and count.
+## struct of kinds (those of one function at once: form, convection, rows, first, second (markers), offset, joints,
+## coordinates (see @code{constraint_coordinates}), component (of the joint's value), constant (values), moving (rows
+## whose value is a function of time)), values (the joints' functions of t), names (a constraint each) and count.
 ## @end deftypefn
 
 function constraints = list_constraints (mechanism, joints, field = "constraints")
@@ -31,7 +31,8 @@ function constraints = list_constraints (mechanism, joints, field = "constraints
     mine = table(strcmp (table(:,1), form{1}),:);
     j = vertcat (mine{:,3});
     markers = mechanism.marker_of(j,:);
-    kind = struct ("form", str2func (form{1}), "rows", vertcat (mine{:,2}), "joints", j, ...
+    kind = struct ("form", str2func (form{1}), "convection", str2func ([form{1} "_convection"]), ...
+                   "rows", vertcat (mine{:,2}), "joints", j, ...
                    "component", vertcat (mine{:,4}), "first", markers(:,1), "second", markers(:,2));
     kind.offset = zeros (numel (j), 1);
     on_rods = arrayfun (@(joint) joint.bodies(2) > 0, joints(j));
@@ -40,6 +41,7 @@ function constraints = list_constraints (mechanism, joints, field = "constraints
     kind.moving = find (arrayfun (@(j) ! joints(j).constant, j)).';
     kind.constant = first_values;
     kind.constant(kind.moving) = 0;
+    kind.coordinates = constraint_coordinates (form{1});
     kind.takes_offset = strcmp (form{1}, "constraint_line");
     kind.to_first = incidence (kind.first, mechanism.marker_count);
     kind.to_second = incidence (kind.second, mechanism.marker_count);
@@ -47,9 +49,12 @@ function constraints = list_constraints (mechanism, joints, field = "constraints
   endfor
 endfunction
 
-## sums what rows have onto their markers
+## sums what rows have onto their markers; few of them are summed faster by a full matrix
 function S = incidence (markers, count)
   S = sparse (markers, 1:numel (markers), 1, count, numel (markers));
+  if (numel (S) <= 100)
+    S = full (S);
+  endif
 endfunction
 
 %!test

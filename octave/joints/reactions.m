@@ -12,9 +12,14 @@ function F = reactions (mechanism, constraints, c, lambda)
     kind = constraints.kinds(i);
     g = c.gradients{i};
     own = lambda(kind.rows,:);
-    F.x += kind.to_first*(g{1}.*own) + kind.to_second*(g{4}.*own);
-    F.y += kind.to_first*(g{2}.*own) + kind.to_second*(g{5}.*own);
-    F.angle += kind.to_first*(g{3}.*own) + kind.to_second*(g{6}.*own);
+    for coordinate = kind.coordinates
+      to = kind.to_first;
+      if (coordinate > 3)
+        to = kind.to_second;
+      endif
+      part = {"x", "y", "angle"}{mod(coordinate - 1, 3) + 1};
+      F.(part) += to*(g{coordinate}.*own);
+    endfor
   endfor
 endfunction
 

@@ -26,6 +26,6 @@ endfunction
 %! [system, start] = sample_mechanism ([1 2]);
 %! rand ("seed", 5);
 %! v = 3*rand (system.n, 1) - 1;
-%! at = marker_motion (system.mechanism, start.q, v);
+%! at = markers_of_states (system.mechanism, start.q, v);
 %! [F, power] = applied_forces (system.mechanism, {[0.2; 1; 0]}, at);
 %! assert (forces_of_markers (system.mechanism, at, F).'*v, power, 1e-10);

@@ -17,15 +17,15 @@ endfunction
 
 %!test # forces are the energy's gradients, less the dampers'
 %! [system, q, v, h] = sample_state ();
-%! of = @(s) spring_forces (system.mechanism, marker_motion (system.mechanism, q + s*v, v));
+%! of = @(s) spring_forces (system.mechanism, markers_of_states (system.mechanism, q + s*v, v));
 %! at = system.at (0, q, v);
 %! power = (of (h).energy - of (-h).energy)/(2*h) + at.springs.dissipated;
 %! assert (system.spring_reaction (at, at.springs.tension).'*v, power, 1e-6);
 %!test # and their tangents
 %! [system, q, v, h] = sample_state ();
-%! of = @(s, r) spring_forces (system.mechanism, marker_motion (system.mechanism, q + s*v, v*(1 + r))).tension;
+%! of = @(s, r) spring_forces (system.mechanism, markers_of_states (system.mechanism, q + s*v, v*(1 + r))).tension;
 %! at = system.at (0, q, v);
 %! [~, ~, jacobian] = system.matrices (at);
 %! assert ((of (0, h) - of (0, -h))/(2*h), at.springs.damping.*(jacobian*v), 1e-6);
-%! still = @(s) spring_forces (system.mechanism, marker_motion (system.mechanism, q + s*v, 0*v)).tension;
+%! still = @(s) spring_forces (system.mechanism, markers_of_states (system.mechanism, q + s*v, 0*v)).tension;
 %! assert ((still (h) - still (-h))/(2*h), at.springs.stiffness.*(jacobian*v), 1e-6);

@@ -1,16 +1,15 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{mechanism} =} list_markers (@var{mechanism}, @var{joints})
-## The @var{mechanism} with the markers of its @var{joints}: marker_of (joints-by-2: the markers of each joint,
-## numbered), ground (x, y, angle of those on the ground) and markers (markers of equal bodies at one station,
-## a group each: group, columns (of the group's bodies), numbers (of the markers), marker (as
-## @code{rod_marker} takes it)).
+## A @var{mechanism}, of which groups and place count here (see @code{build_mechanism}), with the markers of its
+## @var{joints}: marker_of (joints-by-2: the markers of each joint, numbered), ground (x, y, angle: those of markers
+## on the ground, 0 of the others) and markers (markers of equal bodies at one station, a group each: group, columns
+## (of the group's bodies), numbers (of the markers), marker (as @code{rod_marker} takes it), sees_point, sees_tangent:
+## whether a joint does).
 ## @end deftypefn
 
 function mechanism = list_markers (mechanism, joints)
   known = zeros (0, 2);  # body, station
   mechanism.marker_of = zeros (numel (joints), 2);
-  mechanism.ground = struct ("number", zeros (1, 0), "x", zeros (0, 1), "y", zeros (0, 1), ...
-                             "angle", zeros (0, 1));
   on_ground = zeros (0, 2);  # joint, side
   for j = 1:numel (joints)
     for side = 1:2
@@ -30,29 +29,38 @@ function mechanism = list_markers (mechanism, joints)
   endfor
   mechanism.marker_body = known(:,1);
   mechanism.marker_station = known(:,2);
-  mechanism.markers = grouped (known, mechanism);
+  mechanism.markers = grouped (known, mechanism, joints);
   count = rows (known);
+  mechanism.ground.x = mechanism.ground.y = mechanism.ground.angle = zeros (count + rows (on_ground), 1);
   for i = 1:rows (on_ground)
     count++;
     j = on_ground(i,1);
     mechanism.marker_of(j,on_ground(i,2)) = count;
-    mechanism.ground.number(end+1) = count;
-    mechanism.ground.x(end+1,1) = joints(j).point(1);
-    mechanism.ground.y(end+1,1) = joints(j).point(2);
-    mechanism.ground.angle(end+1,1) = joints(j).direction;
+    mechanism.ground.x(count) = joints(j).point(1);
+    mechanism.ground.y(count) = joints(j).point(2);
+    mechanism.ground.angle(count) = joints(j).direction;
   endfor
   mechanism.marker_count = count;
 endfunction
 
-function groups = grouped (known, mechanism)
+function groups = grouped (known, mechanism, joints)
   groups = struct ([]);
   place = mechanism.place(known(:,1),:);
   for pair = unique ([place(:,1), known(:,2)], "rows").'
     numbers = find (place(:,1) == pair(1) & known(:,2) == pair(2)).';
     model = mechanism.groups(pair(1)).model;
     groups(end+1) = struct ("group", pair(1), "columns", place(numbers,2).', "numbers", numbers, ...
-                            "marker", marker_at (model, pair(2)));
+                            "marker", marker_at (model, pair(2)), ...
+                            "sees_point", any_sees (joints, mechanism, numbers, "point"), ...
+                            "sees_tangent", any_sees (joints, mechanism, numbers, "tangent"));
   endfor
+endfunction
+
+## whether a joint at markers of these numbers sees such of its bodies
+function yes = any_sees (joints, mechanism, numbers, what)
+  kinds = joint_kinds ();
+  sees = arrayfun (@(joint) any (strcmp (kinds(strcmp (joint.kind, {kinds.name})).sees, what)), joints(:));
+  yes = any (any (ismember (mechanism.marker_of, numbers), 2) & sees);
 endfunction
 
 function marker = marker_at (model, station)
@@ -61,10 +69,10 @@ function marker = marker_at (model, station)
   if (model.shortening)
     along_slope *= 0;  # v1 is then the stretch along the bent rod, which does not turn its tangent
   endif
-  [x, y, direction] = undeformed_places (model.base, station);
-  marker = struct ("place_1", x, "place_2", y, "direction", direction, "shape_1", along.', "shape_2", across.', ...
-                   "slope_1", along_slope.', "slope_2", across_slope.', ...
+  marker = struct ("shape_1", along.', "shape_2", across.', "slope_1", along_slope.', "slope_2", across_slope.', ...
                    "shortening_matrix", model.shortening*shortening_at (model.base, station));
+  marker = project_arrays (marker, model.basis);
+  [marker.place_1, marker.place_2, marker.direction] = undeformed_places (model.base, station);
 endfunction
 
 %!test # equal rods at equal stations are one group

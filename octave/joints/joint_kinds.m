@@ -2,7 +2,8 @@
 ## @deftypefn {} {@var{kinds} =} joint_kinds ()
 ## The kinds of joints: a struct array of name, constraints (functions of generated/, one a scalar constraint), springs
 ## (likewise, of the elongations of what has an energy and no constraint), loads (which of F_x, F_y, M are its value),
-## values (how many numbers its value has).  A joint acts between its first body and its second, or the ground.
+## values (how many numbers its value has), sees (what it sees of its bodies: points, tangents).  A joint acts between
+## its first body and its second, or the ground.
 ##
 ## @table @code
 ## @item revolute
@@ -30,18 +31,18 @@ function kinds = joint_kinds ()
   y = @constraint_vertical;
   a = @constraint_angle;
   rows = {
-    "revolute",       {x, y},             {},              [], 0
-    "weld",           {x, y, a},          {},              [], 0
-    "slider",         {@constraint_line}, {},              [], 0
-    "angle",          {a},                {},              [], 1
-    "position",       {x, y},             {},              [], 2
-    "spring",         {},                 {@constraint_distance}, [], 0
-    "torsion_spring", {},                 {a},             [], 0
-    "bushing",        {},                 {x, y},          [], 0
-    "moment",         {},                 {},              3,  1
-    "force",          {},                 {},              [1 2], 2
+    "revolute",       {x, y},             {},              [], 0, {"point"}
+    "weld",           {x, y, a},          {},              [], 0, {"point", "tangent"}
+    "slider",         {@constraint_line}, {},              [], 0, {"point", "tangent"}
+    "angle",          {a},                {},              [], 1, {"tangent"}
+    "position",       {x, y},             {},              [], 2, {"point"}
+    "spring",         {},                 {@constraint_distance}, [], 0, {"point"}
+    "torsion_spring", {},                 {a},             [], 0, {"tangent"}
+    "bushing",        {},                 {x, y},          [], 0, {"point"}
+    "moment",         {},                 {},              3,  1, {"tangent"}
+    "force",          {},                 {},              [1 2], 2, {"point"}
   };
-  kinds = cell2struct (rows, {"name", "constraints", "springs", "loads", "values"}, 2).';
+  kinds = cell2struct (rows, {"name", "constraints", "springs", "loads", "values", "sees"}, 2).';
 endfunction
 
 %!assert (numel (joint_kinds ()(strcmp ({joint_kinds().name}, "weld")).constraints), 3)

@@ -9,8 +9,9 @@ function values = prescribed_values (constraints, t)
   every = ones (1, numel (t));
   for i = 1:numel (constraints.kinds)
     kind = constraints.kinds(i);
-    orders = {kind.constant*every, 0*kind.constant*every, 0*kind.constant*every};
-    for j = unique (kind.joints(kind.moving)).'
+    still = zeros (numel (kind.constant), numel (t));
+    orders = {kind.constant*every, still, still};
+    for j = moving_joints (kind)
       mine = find (kind.joints == j);
       for k = 1:numel (t)
         value = constraints.values{j}(t(k));
@@ -21,6 +22,13 @@ function values = prescribed_values (constraints, t)
     endfor
     values{i} = cell2struct (orders, {"value", "value_dot", "value_ddot"}, 2);
   endfor
+endfunction
+
+function joints = moving_joints (kind)
+  joints = [];
+  if (! isempty (kind.moving))
+    joints = unique (kind.joints(kind.moving)).';
+  endif
 endfunction
 
 %!test # a position that moves has two components in two kinds, beside a joint that stands
