@@ -20,4 +20,10 @@ endfunction
 
 %!test # rigid, one mode and two, each with and without foreshortening, and longitudinal modes beside the chosen one
 %! rung = struct ("sines", [], "bending", 1, "longitudinal", 0, "axial", "none", "stiffening", "foreshortening");
-%! assert (numel (ladder_rungs (rung, setfield (rung, "bending", 2))), 8);
+%! names = cellfun (@rung_name, ladder_rungs (rung, setfield (rung, "bending", 2)), "uniformoutput", false);
+%! assert (names, {"rigid", "1 bending mode", "1 bending mode, foreshortening", "2 bending modes", ...
+%!                 "2 bending modes, foreshortening", ...
+%!                 "1 bending mode, quasi-static longitudinal ones, foreshortening", ...
+%!                 "1 bending + 1 longitudinal modes, foreshortening", "1 bending + 3 longitudinal modes, foreshortening"});
+%! rungs = ladder_rungs (setfield (rung, "bending", 12), setfield (rung, "bending", 20));
+%! assert (unique (cellfun (@(rung) rung.bending, rungs)), [0:8, 12, 20]);

@@ -91,6 +91,7 @@ endfunction
 %!test # defaults are filled in
 %! scene = check_surface_scene (smallest ());
 %! assert (scene.solver.tolerance, 1/1440);
+%! assert (scene.surface.side, 1); assert (scene.rod.half_height, 1/200);
 %! assert (scene.rod.EI_normal, 1); assert (scene.gravity, 9.81); assert (scene.force, [0 0 0]);
 %!error <surface is a char: it takes a struct> check_surface_scene (setfield (smallest (), "surface", "bowl"))
 %!error <rod.EA is -1: it takes positive number in N> check_surface_scene (setfield (smallest (), "rod", "EA", -1))
