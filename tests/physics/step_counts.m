@@ -2,9 +2,10 @@
 ## its tolerance, shows in its steps and calls where results stay within their tolerances.  Held are
 ## integrate_waveform, solve_window, panel_response, panel_integrals, integrate_exponential, turned_form, modal_form,
 ## integrate_explicit, integrate_ode15s, integrate_lsode, integrate_fixed, rk4, stormer_verlet, implicit_midpoint,
-## generalized_alpha, trigonometric, integrate_radau, radau_window, radau_step, radau_factors, radau_guess, radau_frames,
-## radau_whole_step, radau_rule, radau_matrix, radau_solve, integrate_gauss, collocation, collocation_stages,
-## integrate_radau_residual, between_breaks, highest_frequency, stability_limit, integrator_table and integrate.
+## generalized_alpha, trigonometric, integrate_radau, radau_window, radau_step, radau_factors, radau_guess,
+## radau_frames, radau_whole_step, radau_rule, radau_matrix, radau_solve, integrate_gauss, collocation,
+## collocation_stages, integrate_radau_residual, between_breaks, highest_frequency, stability_limit, integrator_table
+## and integrate.
 
 %!function hold_counts (system, times, table)
 %!  for row = table.'

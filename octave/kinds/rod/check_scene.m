@@ -83,3 +83,10 @@ endfunction
 %!error <a scene is a function that returns a struct, not a double> check_scene (3)
 %!error <initial.V1 is "a": it takes vector of amplitudes in m>
 %! check_scene (setfield (smallest (), "initial", "V1", "a"));
+%!test # a force at the tip, a hub that turns, and a constant moment are scenes
+%! assert (check_scene (setfield (smallest (), "force_station", 1)).force_station, 1);
+%! scene = check_scene (setfield (smallest (), "rotation", @(t) [0 0 0]));
+%! assert (scene.force_station, 1); assert (scene.solver.tolerance, plane_pixel (scene, 1)/2, plane_pixel (scene, 1));
+%! assert (check_scene (setfield (smallest (), "moment", 3)).moment ([1 2]), [3 3]);
+%!error <rotation prescribes the angle>
+%! check_scene (setfield (setfield (smallest (), "initial", "phi_dot", 1), "rotation", @(t) [0 0 0]))
