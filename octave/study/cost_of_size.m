@@ -39,3 +39,15 @@ endfunction
 %! scene = check_mechanism (setfield (setfield (chain (1), "duration", 0.2), "frames_per_second", 20));
 %! rows = cost_of_size (mechanism_kind (), scene, [1 4]);
 %! assert (rows(2,3) > rows(1,3));
+%!function rows = with_clock (sizes, seconds)   # of a quarter of 4 s and a frame of 0.04 s, calls 3 per s, so many seconds a run
+%!  body = sprintf ("states = []; count = struct ('seconds', %g, 'calls', 3*times(end)^2);", seconds);
+%!  stand_ins = {"[states, count] = integrate", "system, times, solver", body};
+%!  kind = struct ("sized", @(scene, n) n(n != 2), "system", @(scene, model) model);
+%!  scene = struct ("duration", 4, "frames_per_second", 25, "solver", struct ("name", "rk4"));
+%!  with_stand_ins (stand_ins, @() setenv ("ROWS_OF_COST", mat2str (cost_of_size (kind, scene, sizes), 17)));
+%!  rows = eval (getenv ("ROWS_OF_COST"));
+%!endfunction
+%!test # sizes that there are not are left out, and those after one that took 20 s
+%! rows = with_clock ([1 2 4], 5);
+%! assert (rows(:,1), [1; 4]); assert (rows(:,2:3), [5/1.04 3*1.04; 5/1.04 3*1.04], 1e-12);
+%! assert (with_clock ([1 2 4], 21)(:,1), 1); assert (with_clock ([1 2 4], 20)(:,1), [1; 4]);

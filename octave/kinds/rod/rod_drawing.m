@@ -45,3 +45,19 @@ endfunction
 %! assert (max (drawing.bodies.stress(:,2)), (1.2e11 + 2*8.1e10)*pi^2*1e-4*0.015, 1);  # (12), with the paper's EI
 %! assert (drawing.notes, {});
 %! assert (max (drawing.bodies.y(:,2)), 300e-4, 1e-12);
+%!test # a hub, a curved rod, one of no height, and loads
+%! [scene, model] = sample_rod ([0 1]);
+%! history = setfield (sample_history (2), "V", [0, 1e-4]);
+%! [history.phi, history.V_names] = deal ([0 0], {"V2_1"});
+%! drawing = rod_drawing (scene, model, history);
+%! assert (drawing.hinges.shape, {"pin"}); assert (drawing.equations, {"hinged", "straight"});
+%! assert (drawing.bodies.half_height, scene.rod.half_height); assert (drawing.moment, scene.moment (history.t));
+%! assert ({drawing.title, drawing.time, drawing.zoom}, {scene.title, history.t, scene.zoom});
+%! assert ({drawing.gravity, drawing.moment_breaks}, {scene.gravity, scene.moment_breaks});
+%! scene.rotation = @(t) [0 0 0];
+%! scene.rod.curvature = 1;
+%! scene.rod.half_height = [];
+%! history.torque = [3 4];
+%! drawing = rod_drawing (scene, model, history);
+%! assert (drawing.hinges.shape, {"hub"}); assert (drawing.equations, {"hinged", "curved"});
+%! assert (drawing.bodies.half_height, scene.rod.length/100); assert (drawing.moment, [3 4]);

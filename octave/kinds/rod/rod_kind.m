@@ -136,7 +136,8 @@ endfunction
 %! scene = check_scene (setfield (paper (), "model", "modes", [1 2]));
 %! own = kind.describe (scene, struct ("model", build_model (scene, rung_of_scene (scene))));
 %! assert (own.model, "1 + 2 sines"); assert (own.modes, [1 2]);
-%! assert ({own.axial, own.stiffening, own.energy, own.moment_work}, {"dynamic", "none", "paper", scene.model.moment_work});
+%! assert ({own.axial, own.stiffening, own.energy}, {"dynamic", "none", "paper"});
+%! assert (own.moment_work, scene.model.moment_work);
 %! assert (own.rotary_inertia, logical (scene.model.rotary_inertia));
 %! observed = trial_run (check_scene (setfield (paper (), "duration", 0.02)), rung_of_scene (scene));
 %! assert (size (observed.x), [21, numel(observed.history.t)]);
