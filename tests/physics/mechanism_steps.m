@@ -1,6 +1,8 @@
 ## Steps of the two methods of order 2 for mechanisms: all of what they carry (positions, velocities, work, what
 ## dissipates) converges with order 2 with springs, dampers, elastic rods and a joint that is driven, and Newton's
-## iteration has the right matrix: it takes few evaluations a step.
+## iteration has the right matrix: it takes few evaluations a step.  Held are index3_alpha and variational against
+## integrate_radau, with project_velocities, project_positions, saddle_solve, constrained_accelerations, spring_forces
+## and integrate_constrained_steps.
 
 %!function [system, start] = driven_arm ()
 %!  rod = struct ("length", 0.5, "EA", 1e4, "EI", 20, "rhoA", 1, "damping", 1e-4);
