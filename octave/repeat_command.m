@@ -48,3 +48,6 @@ endfunction
 %!assert (repeat_command ("paper", {"pictures", false}), "make simulate SCENE=paper PICTURES=no")
 %!assert (repeat_command (struct (), {"solver", "rk4", "modes", [1 2]}), ...
 %!        "driver (scene, \"solver\", \"rk4\", \"modes\", [1 2])")
+%!assert (repeat_command ("paper", {"pictures", true}), "make simulate SCENE=paper PICTURES=yes")
+%!assert (repeat_command ("paper", {"output", ""}), "make simulate SCENE=paper OUTPUT=''")
+%!assert (repeat_command (struct (), {"output", "a\nb", "modes"}), "driver (scene, \"output\", \"a\\nb\", \"modes\")")

@@ -110,3 +110,16 @@ endfunction
 %!                  "state_scale", [1; 1], "velocity_matrix", 1, "initial_state", [1; 1]);
 %! system.rate = @(t, y) [y(2); 2*y(1)^3];
 %! integrate_exponential (system, [0 2], [1; 1], struct ("tolerance", 1e-6));
+%!test # order 4 in equal steps, of a pendulum whose remainder depends on its state, and fewer steps than by order 3
+%! system = struct ("mass", 1, "stiffness_at", @(t, y) 1, "state_scale", [1; 1], "velocity_matrix", 1, ...
+%!                  "initial_state", [0; 0], "rate", @(t, y) [y(2,:); -sin(y(1,:))]);
+%! k = 0.8;
+%! exact = 2*asin (k*ellipj (4, k^2));
+%! in_steps = @(h) integrate_exponential (setfield (system, "longest_step", h), [0 4], [0; 2*k], ...
+%!                                        struct ("tolerance", 1))(1,2) - exact;
+%! assert (log2 (in_steps (0.04)/in_steps (0.02)), 4, 0.2);
+%! system.longest_step = Inf;
+%! for k = 1:2
+%!   [~, steps(k)] = integrate_exponential (system, [0 4], [0; 1.6], struct ("tolerance", [1e-5 1e-9](k)));
+%! endfor
+%! assert (steps(2)/steps(1) < 11);  # 1e4^(1/4), and a little

@@ -68,3 +68,20 @@ endfunction
 %!   names = [{"auto"}, {integrator_table(kind{2}).name}];
 %!   assert (regexp (takes, '"(\w+)"', "tokens"), num2cell (names));
 %! endfor
+%!test # orders as they are known, 0 where they vary; where a step's error is the run's, and where it adds up
+%! known = struct ("waveform", 8, "exponential", 4, "ode45", 5, "ode23", 3, "ode23s", 2, "ode15s", 0, "lsode_adams", 0, ...
+%!                 "lsode_bdf", 0, "rk4", 4, "stormer_verlet", 2, "implicit_midpoint", 2, "generalized_alpha", 2, ...
+%!                 "trigonometric", 2, "gauss", 8, "radau", 9, "projection", 5, "baumgarte", 5, "acceleration", 5, ...
+%!                 "variational", 2, "ode15i", 0, "daspk", 0);
+%! for method = integrator_table ()
+%!   assert (method.order, known.(method.name));
+%!   assert (method.adaptive == any (strcmp (method.name, {"rk4", "stormer_verlet", "implicit_midpoint", ...
+%!                                                         "generalized_alpha", "trigonometric", "variational"})), false);
+%!   if (any (strcmp (method.form, {"constrained"})) || any (strcmp (method.name, {"waveform", "gauss"})))
+%!     assert (method.share, 1);
+%!   elseif (strcmp (method.form, "rate") && method.adaptive)
+%!     assert (method.share, 400);
+%!   else
+%!     assert (method.share, 4);
+%!   endif
+%! endfor

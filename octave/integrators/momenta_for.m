@@ -12,3 +12,4 @@ function momenta = momenta_for (method, system)
 endfunction
 
 %!error <solver.name is "trigonometric", which takes no prescribed rotation> momenta_for ("trigonometric", struct ())
+%!assert (momenta_for ("trigonometric", struct ("momenta", 3)), 3)

@@ -39,3 +39,5 @@ endfunction
 %! for k = 0:8
 %!   assert (rule.A(5,:)*rule.c.'.^k, 1/(k + 1), 1e-13);
 %! endfor
+%!test # the weights of its error, as Hairer and Wanner print them (IV.8, (8.19) and (8.20))
+%! assert (radau_rule (3).e, [-13 - 7*sqrt(6), -13 + 7*sqrt(6), -1]/3, 1e-13);

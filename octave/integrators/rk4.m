@@ -19,3 +19,6 @@ endfunction
 %!test # exact for a load of degree 3
 %! stepper = rk4 (struct ("rate", @(t, y) 4*t^3), 0.5, struct ());
 %! assert (stepper.step (0.5, 1), 1 + 1 - 0.5^4, 1e-14);
+%!test # an oscillator: Taylor's polynomial of degree 4
+%! stepper = rk4 (struct ("rate", @(t, y) [y(2); -y(1)]), 0.5, struct ());
+%! assert (stepper.step (0, [1; 0]), [1 - 0.5^2/2 + 0.5^4/24; -0.5 + 0.5^3/6], 1e-15);

@@ -56,3 +56,7 @@ endfunction
 %! system = struct ("mass", 1, "momenta", struct ("rate", rate, "form", @(y) y, "state", @(z) z));
 %! stormer_verlet (system, 0.1, struct ()).step (0, [1; 2; 0]);
 %! assert (calls("all"), 5);
+%!test # what is integrated beside goes by the trapezoidal rule: a power of 6 t + 1, from t = 2
+%! system = struct ("mass", 1, "momenta", struct ("rate", @(t, z) [0; 0; 6*t+1], "form", @(y) y, "state", @(z) z));
+%! z = stormer_verlet (system, 0.5, struct ()).step (2, [1; 0; 5]);
+%! assert (z, [1; 0; 5 + 3*(2.5^2 - 2^2) + 0.5], 1e-13);

@@ -58,3 +58,17 @@ endfunction
 %! assert (turned.rate (2.7, turned.start)(1:4), zeros (4, 1), 1e-14);
 %! tau = pi/3;
 %! assert (turned.state (2 + tau, turned.start)(1:4), [1 + 3*tau + tau^2; 2; 3 + 2*tau; -4], 1e-13);
+%!test # what u moves is the system's own motion: of two coupled oscillators, one of them free, and a third row
+%! system = struct ("mass", [2 0.3; 0.3 1], "stiffness_at", @(t, y) [9 -9; -9 9], "state_scale", ones (5, 1), ...
+%!                  "duration", 1, "velocity_matrix", eye (2), "initial_state", zeros (5, 1));
+%! system.rate = @(t, y) [y(3:4); sin(t) - y(1)^2 - 8*y(2); cos(y(1)) - 3*y(2) - 0.1*y(3); y(2)*y(3)];
+%! y = [0.3; -0.2; 0.5; 0.7; 1];
+%! turned = turned_form (system, 2, y);
+%! assert (turned.state (2, turned.start), y, 1e-13);
+%! h = 1e-5;
+%! for t = [2 2.4]
+%!   u = turned.start + 0.1*[1; -2; 3; 1; 2];
+%!   r = turned.rate (t, u);
+%!   moved = (turned.state (t + h, u + h*r) - turned.state (t - h, u - h*r))/(2*h);
+%!   assert (moved, system.rate (t, turned.state (t, u)), 1e-7);
+%! endfor

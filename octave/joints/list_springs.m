@@ -14,12 +14,9 @@ function [springs, loads] = list_springs (mechanism, joints)
     endif
   endfor
   springs = list_constraints (mechanism, joints, "springs");
-  springs.stiffness = springs.damping = zeros (0, 1);
+  springs.stiffness = vertcat (zeros (0, 1), joints(springs.joint).stiffness);
+  springs.damping = vertcat (zeros (0, 1), joints(springs.joint).damping);
   loads = struct ([]);
-  if (springs.count > 0)
-    springs.stiffness = vertcat (joints(springs.joint).stiffness);
-    springs.damping = vertcat (joints(springs.joint).damping);
-  endif
   for j = 1:numel (joints)
     kind = kinds(strcmp ({kinds.name}, joints(j).kind));
     if (! isempty (kind.loads))
@@ -36,3 +33,5 @@ endfunction
 %! [~, ~, scene] = sample_mechanism ([0 1]);
 %! joint = setfield (setfield (scene.joints(4), "kind", "bushing"), "rest", 0);
 %! assert (list_springs (struct ("marker_of", [1 2], "marker_count", 2), joint).count, 2);
+%! [springs, loads] = list_springs (struct ("marker_of", zeros (0, 2), "marker_count", 0), joint([]));
+%! assert ({springs.stiffness, springs.damping, loads}, {zeros(0, 1), zeros(0, 1), struct([])});

@@ -29,3 +29,7 @@ endfunction
 %! unwind_protect_cleanup
 %!   setenv ("QUIET", "");
 %! end_unwind_protect
+%!test # what the progress has left on the line goes first
+%! evalc ("with_stand_ins ({\"show_progress\", \"text\", \"printf ('<%s>', text);\"}, @() say ('%d rods', 3));");
+%! text = evalc ("with_stand_ins ({\"show_progress\", \"text\", \"printf ('<%s>', text);\"}, @() say ('%d rods', 3));");
+%! assert (text, "<>3 rods\n");

@@ -66,6 +66,40 @@ endfunction
 %!  text = in_scratch (@(folder, scratch) drawn (drawing, folder, scratch));
 %!endfunction
 
+%!function files = files_of (drawing, scratch)   # what is written for gnuplot
+%!  finish_tool (draw_history (drawing, scratch));
+%!  files = struct ();
+%!  for name = {"settings", "spectrum", "panel_1"}
+%!    if (exist (fullfile (scratch, [name{1} ".gp"]), "file"))
+%!      files.(name{1}) = fileread (fullfile (scratch, [name{1} ".gp"]));
+%!    endif
+%!  endfor
+%!endfunction
+%!function hold_lines (text, lines)
+%!  for line = lines
+%!    assert (numel (strfind (["\n" text], ["\n" line{1} "\n"])), 1, line{1});
+%!  endfor
+%!endfunction
+%!test # the figures that gnuplot gets: breaks within the time, the longest name, five decades, tics of a spectrum
+%! drawing = sample_drawing (20);
+%! drawing.moment_breaks = [drawing.time(1), 0.1, 0.3, drawing.time(end), 99];
+%! files = in_scratch (@(folder, scratch) files_of (drawing, scratch));
+%! hold_lines (files.settings, {"break_count = 2", "array breaks[2] = [0.1, 0.3]", "spectrum = 0", "panels = 4", ...
+%!                              "longest_name = 14"});
+%! hold_lines (files.panel_1, {sprintf("label = '%s'", scaled_panel (drawing.panels(1)))});
+%! data = str2num (regexp (files.panel_1, '<< END\n(.*?)\nEND', "tokens", "once"){1});
+%! assert (data(:,1).', drawing.time, 1e-6); assert (data(:,2:end).', nthargout (2, @scaled_panel, drawing.panels(1)), -1e-6);
+%! drawing.spectrum = struct ("label", "spectrum of the tip", "unit", "m", "names", {{"tip"}}, "frequency", 1:50, ...
+%!                            "values", 2e-3./(1:50), "predicted", [7 30], "note", "sampled at 100 Hz");
+%! files = in_scratch (@(folder, scratch) files_of (drawing, scratch));
+%! hold_lines (files.settings, {"spectrum = 1", "longest_name = 18"});
+%! hold_lines (files.spectrum, {"predicted_count = 2", "array predicted[2] = [7, 30]", "frequency_low = 1", ...
+%!   "frequency_high = 50", "amplitude_low = 0.0001", "amplitude_high = 10", ...
+%!   "array frequency_tics[6] = [1, 2, 5, 10, 20, 50]"});
+%! drawing.spectrum.frequency = 10*(1:50);
+%! drawing.spectrum.frequency(end) = 1e4;
+%! files = in_scratch (@(folder, scratch) files_of (drawing, scratch));
+%! hold_lines (files.spectrum, {"array frequency_tics[4] = [10, 100, 1000, 10000]"});
 %!test
 %! text = history_of (sample_drawing (20));
 %! for shown = {"energies, J", "V2_1", "largest modes, µm", "break of loads", "ψ"}

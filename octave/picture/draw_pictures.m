@@ -89,3 +89,13 @@ endfunction
 %! drawing = sample_drawing (2);
 %! drawing.bodies(1).y(1,2) = NaN;
 %! draw_pictures (drawing, tempdir ());
+%!function check_without_frames (folder)
+%!  mkdir (fullfile (folder, "frames"));
+%!  [missing, warnings, seconds] = draw_pictures (sample_drawing (2), folder);
+%!  assert (missing, [{"frames"; "animation.mp4"; "animation.gif"; "figure3.svg"}, repmat({"no ink"}, 4, 1)]);
+%!  assert (warnings, {}); assert (fieldnames (seconds), {"frames"; "film"; "figures"});
+%!  assert (! isfolder (fullfile (folder, "frames")));
+%!endfunction
+%!test # without a frame there is no film, and the frames' folder goes
+%! stand_in = {"missing = draw_files", "folder, draw, files", "missing = {files{1}, \"no ink\"};"};
+%! in_scratch (@(folder, scratch) with_stand_ins (stand_in, @() check_without_frames (folder)));

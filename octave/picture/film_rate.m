@@ -13,3 +13,4 @@ endfunction
 
 %!assert (film_rate (24), 24)
 %!assert (film_rate (10000), 50)
+%!assert (arrayfun (@film_rate, [60 61]), [60 50])

@@ -41,3 +41,18 @@ endfunction
 %! assert (diff (camera.x) / 600, camera.pixel, 1e-12);
 %! assert (camera.x(1) < min (drawing.bodies.x(:)) && camera.x(2) > max (drawing.bodies.x(:)));
 %! assert (camera.y(1) < min (drawing.bodies.y(:)) && camera.y(2) > max (drawing.bodies.y(:)));
+%!test # a rod from 0 to 1 m of half height 0.05 m: 6 percent more than that, than its hinge, and than its moment takes
+%! body = struct ("x", [0; 1], "y", [0; 0], "rest_x", [0; 1], "rest_y", [0; 0], "half_height", 0.05);
+%! drawing = struct ("bodies", body, "hinges", struct ("x", zeros (0, 1), "y", zeros (0, 1)), "moment", 1);
+%! camera = fit_camera (drawing, [200 100]);
+%! assert (camera.symbol, 0.033, 1e-12); assert (camera.pixel, 1.06*1.1/200, 1e-12);
+%! assert ([camera.x, camera.y], [0.5 0.5 0 0] + 1.06*1.1/2*[-1 1 -0.5 0.5], 1e-12);
+%! [drawing.hinges.x, drawing.hinges.y, drawing.moment] = deal (0, 0, 0);
+%! camera = fit_camera (drawing, [200 100]);
+%! assert (mean ([camera.x; camera.y], 2), [(1.05 - 2.5*0.033)/2; 0], 1e-12);
+%! assert (camera.pixel, 1.06*(1.05 + 2.5*0.033)/200, 1e-12);
+%! assert (fit_camera (drawing, [900 100]).pixel, 1.06*5*0.033/100, 1e-12);
+%! drawing.moment = 1;
+%! camera = fit_camera (drawing, [200 100]);
+%! assert (camera.pixel, 1.06*(1.05 + 0.44)/200, 1e-12);
+%! assert (fit_camera (drawing, [900 100]).pixel, 1.06*0.44/100, 1e-12);

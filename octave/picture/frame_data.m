@@ -54,3 +54,17 @@ endfunction
 %! drawing = sample_drawing (19);
 %! assert (! isempty (strfind (data_of (drawing, 2), "moment_label = '30 N m'")));
 %! assert (! isempty (strfind (data_of (drawing, 9), "moment_label = ''")));
+%!test # a piece between two points of the body, with its stress at the first, reaches over the next one
+%! drawing = sample_drawing (19);
+%! text = data_of (drawing, 2);
+%! block = regexp (text, '\$pieces << END\n(.*?)\nEND', "tokens", "once"){1};
+%! pieces = str2num (block);
+%! assert (size (pieces), [40 5]);
+%! [x, y] = deal (drawing.bodies.x(:,2), drawing.bodies.y(:,2));
+%! assert (pieces(:,1:2), [x, y](1:40,:), 1e-6); assert (pieces(:,1:2) + pieces(:,3:4), [x, y]([3:41, 41],:), 1e-6);
+%! assert (pieces(:,5), body_stress (drawing.bodies){1}(1:40,2), 1e-6*max (pieces(:,5)));
+%! assert (numel (strfind (text, "$rest << END")), 1); assert (numel (strfind (text, "$outline << END")), 1);
+%! place = cellfun (@(end_of) str2double (regexp (text, ["moment_place_" end_of " = (\\S+)"], "tokens", "once"){1}), ...
+%!                  {"low", "high"});
+%! middle = [mean(drawing.bodies.rest_x(:,2)), mean(drawing.bodies.rest_y(:,2))];
+%! assert (place*middle.' < 0);  # O is the origin: the label is on the side that the rod is not

@@ -54,3 +54,13 @@ endfunction
 %! assert (layout.scene_bottom > layout.strip_bottom + 3*(layout.strip_height + 30));
 %!test # nothing below the scene
 %! assert (frame_layout (of_size ([400 600], 0)).scene_bottom, 65);
+%!test # all of it, where a frame has no size of its own, with one strip and with two, and where it is high
+%! layout = struct ("width", 1280, "height", 720, "unit", 1, "strip_height", 240, "scene_right", 515, ...
+%!                  "scene_top", 65, "scene_bottom", 65, "strip_left", 320, "strip_bottom", 65, "strip_width", 295);
+%! assert (frame_layout (struct ("strips", 1)), layout);
+%! assert (frame_layout (struct ("strips", [1 1])), setfield (layout, "strip_height", 240));
+%! layout = struct ("width", 720, "height", 1280, "unit", 1, "strip_height", 180, "scene_right", 150, ...
+%!                  "scene_top", 125, "scene_bottom", 65 + 210 + 75, "strip_left", 625, "strip_bottom", 65, ...
+%!                  "strip_width", 600);
+%! assert (frame_layout (of_size ([720 1280], 1)), layout);
+%! assert (frame_layout (of_size ([720 1280], 4)).strip_height, 0.45*1280/4 - 30);

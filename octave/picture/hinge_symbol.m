@@ -48,3 +48,14 @@ endfunction
 %!test # a block that slides is wider than high
 %! [~, pins] = hinge_symbol (struct ("x", 1, "y", 0, "ground", false, "shape", {{"block"}}), 1, 0.1);
 %! assert (max (pins), [1.09, 0.06], 1e-12);
+%!test # the ground: a triangle below the pin on a line with five strokes; a pin is round, a hub more so, a weld square
+%! [ground, pins] = hinge_symbol (struct ("x", 0, "y", 0), 1, 1);
+%! assert (ground(1:4,:), [0 0; -1 -1.6; 1 -1.6; 0 0]); assert (ground(6:7,:), [-1.4 -1.6; 1.4 -1.6]);
+%! strokes = ground(! isnan (ground(:,1)),:)(7:end,:);
+%! assert (strokes(1:2:end,:), [(-1:0.6:1.4).', -1.6*ones(5, 1)], 1e-12);
+%! assert (strokes(2:2:end,:), strokes(1:2:end,:) - [0.5 0.5], 1e-12);
+%! assert (hypot (pins(1:25,1), pins(1:25,2)), 0.4*ones (25, 1), 1e-12); assert (sum (isnan (pins(:,1))), 1);
+%! [~, pins] = hinge_symbol (struct ("x", 0, "y", 0, "shape", {{"hub"}}), 1, 1);
+%! assert (hypot (pins(1:25,1), pins(1:25,2)), 0.9*ones (25, 1), 1e-12);
+%! [~, pins] = hinge_symbol (struct ("x", 0, "y", 0, "shape", {{"weld"}}), 1, 1);
+%! assert (pins(1:5,:), 0.3*[1 1; -1 1; -1 -1; 1 -1; 1 1], 1e-12);

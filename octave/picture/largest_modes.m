@@ -21,3 +21,7 @@ endfunction
 %!test
 %! [modes, names] = largest_modes (zeros (0, 3), cell (1, 0), 4);
 %! assert (modes, zeros (0, 3));
+%!assert (nthargout (2, @largest_modes, [1; 2e-3], {"V2_1", "V2_2"}, 2), {"V2_1", "V2_2"})
+%!assert (nthargout (2, @largest_modes, [20; 0.03], {"V2_1", "V2_2"}, 2), {"V2_1", "V2_2"})
+%!assert (nthargout (2, @largest_modes, [0; 0], {"V2_1", "V2_2"}, 2), cell (1, 0))
+%!assert (nthargout (2, @largest_modes, [2e-6; 1e-6], {"V2_1", "V2_2"}, 2), {"V2_1", "V2_2"})

@@ -22,3 +22,13 @@ endfunction
 %! assert (arrow(1,2) < 2 && arrow(40,2) > 2);
 %! assert (hypot (arrow(1:40,1) - 1, arrow(1:40,2) - 2), 0.1 * ones (40, 1), 1e-12);
 %!assert (moment_arrow (0, [1 2], 0, 0.1), [1 2])
+%!test # from a radian before the direction to one behind it, the barbs near its end, and its value beyond it
+%! for sense = [1 -1]
+%!   [arrow, label] = moment_arrow (5*sense, [0 0], pi/2, 2);
+%!   assert (size (arrow), [44 2]);
+%!   angles = atan2 (arrow(:,2), arrow(:,1));
+%!   assert (angles([1 40 43]).', pi/2 + sense*[-1 1 1], 1e-12);
+%!   assert (angles([42 44]).', pi/2 + sense*[0.7 0.7], 1e-12);
+%!   assert (hypot (arrow([42 43 44],1), arrow([42 43 44],2)).', 2*[1.16 1 0.88], 1e-12);
+%!   assert (label, [0 2.7], 1e-12);
+%! endfor

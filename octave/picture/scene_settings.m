@@ -22,4 +22,4 @@ endfunction
 %! settings = scene_settings (drawing, fit_camera (drawing, [4 3]));
 %! assert (settings.title_size, 10);
 %! assert (settings.zoom, "deformation × 300");
-%! assert (settings.gravity, 1);
+%! assert (settings.gravity, 1); assert (settings.bodies, 1); assert (settings.metre_step > 0);

@@ -23,6 +23,9 @@ endfunction
 %!  for job = jobs
 %!    fail ("finish_tool (job)", "no_such_script.gp");
 %!  endfor
+%!  text = arrayfun (@(k) fileread (fullfile (scratch, sprintf ("%d.gp", k))), 1:7, "uniformoutput", false);
+%!  first = cellfun (@(line) sscanf (line, "# %*d of %d"), text);
+%!  assert (unique (first), find ([true, diff(first) > 0])); assert (numel (unique (first)), numel (jobs));
 %!  assert (! isempty (regexp (fileread (fullfile (scratch, "7.gp")), "^# 7 of \\d\n$")));
 %!endfunction
 %!test in_scratch (@check_shares); # every frame has its file

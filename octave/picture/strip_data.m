@@ -68,3 +68,18 @@ endfunction
 %! history = sscanf (text(strfind (text, "<< END")+6:end), "%f", [3, Inf]);
 %! assert (columns (history) <= 4000); assert (history(1,end), 3600, 1);
 %! assert (! isempty (strfind (text, "stride = 46")));
+%!test # the figures that gnuplot gets, and each time with its values
+%! drawing = sample_drawing (5);
+%! text = strip_data (drawing);
+%! [~, first] = scaled_panel (drawing.strips(1));
+%! low = cellfun (@(k) padded_range (nthargout (2, @scaled_panel, drawing.strips(k)))(1), {1, 2, 3});
+%! assert (str2num (regexp (text, 'low\[3\] = (\[.*?\])', "tokens", "once"){1}), low, -1e-9);
+%! steps = str2num (regexp (text, 'step\[3\] = (\[.*?\])', "tokens", "once"){1});
+%! for k = 1:3
+%!   [~, values] = scaled_panel (drawing.strips(k));
+%!   assert (diff (padded_range (values))/steps(k) <= 5*(1 + 1e-9) && diff (padded_range (values))/steps(k) > 2);
+%! endfor
+%! history = str2num (regexp (text, '<< END\n(.*?)\nEND', "tokens", "once"){1});
+%! assert (history(:,1).', drawing.time, 1e-6); assert (history(:,2:1+rows(first)).', first, 1e-5*max (abs (first(:))));
+%! assert (! isempty (regexp (text, "^strips = 3$", "once", "lineanchors")));
+%! assert (! isempty (regexp (text, "^stride = 1$", "once", "lineanchors")));

@@ -23,4 +23,12 @@ endfunction
 %!  write_surface_settings (sample_surface (2), scratch, "png");
 %!  text = fileread (fullfile (scratch, "settings.gp"));
 %!endfunction
-%!assert (! isempty (strfind (in_scratch (@(folder, scratch) settings_in (scratch)), "kinds = 'png'")))
+%!test # the patch, an empty line after each column of its nine, within the room around it
+%! text = in_scratch (@(folder, scratch) settings_in (scratch));
+%! assert (! isempty (strfind (text, "kinds = 'png'")));
+%! for range = {"x_low = -2.1", "x_high = 2.1", "y_low = -2.1", "y_high = 2.1", "z_low = -0.1", "z_high = 0.1"}
+%!   assert (numel (strfind (text, ["\n" range{1} "\n"])), 1);
+%! endfor
+%! columns = strsplit (strtrim (regexp (text, '\$surface << END\n(.*?)\nEND', "tokens", "once"){1}), "\n\n");
+%! assert (numel (columns), 9);
+%! assert (str2num (columns{9}), [2*ones(9, 1), (-2:0.5:2).', zeros(9, 1), 0.5*ones(9, 1)]);

@@ -12,3 +12,4 @@ function base = base_functions (longitudinal, transversal, length)
 endfunction
 
 %!assert (base_functions (1:2, [1 -1], 3).transversal, [1 -1])
+%!assert (base_functions ([], 1:2, 3), struct ("longitudinal", zeros (1, 0), "transversal", [1 2], "length", 3))

@@ -14,3 +14,10 @@ endfunction
 
 %!error <bodies\(2\).rod.EA, rod.EI and rod.rhoA are given together>
 %! check_section (struct ("EA", 1, "EI", [], "rhoA", []), "bodies(2).")
+%!error <^rod.width and rod.half_height are missing: they take positive numbers in m>
+%! check_section (struct ("EA", [], "EI", [], "rhoA", [], "width", 1, "half_height", []))
+%!error <^rod.width and rod.half_height are missing>
+%! check_section (struct ("EA", [], "EI", [], "rhoA", [], "width", [], "half_height", 1))
+%!test # a section's own stiffnesses, or its sides
+%! check_section (struct ("EA", 1, "EI", 1, "rhoA", 1, "width", [], "half_height", []));
+%! check_section (struct ("EA", [], "EI", [], "rhoA", [], "width", 1, "half_height", 1));

@@ -48,3 +48,10 @@ endfunction
 %! assert (axis.tilt, -atan2 (1, 2/pi), 1e-12);
 %! assert (axis.weights*axis.y.', 0, 1e-12);
 %! assert (axis.weights*axis.x.'/pi, hypot (2/pi, 1), 1e-12);
+%!error <rod.curvature gives 1 values for 64 stations or no numbers: it takes a vectorised function of xi in 1/m>
+%! rod_axis (struct ("length", 1, "curvature", @(xi) 2, "curvature_breaks", []), 8);
+%!error <rod.curvature gives 64 values for 64 stations or no numbers>
+%! rod_axis (struct ("length", 1, "curvature", @(xi) NaN*xi, "curvature_breaks", []), 8);
+%!test # kappa = (2 + 3 xi/l)/l turns by 3.5 along the rod; a break ends a panel
+%! axis = rod_axis (struct ("length", 2, "curvature", [1 1.5], "curvature_breaks", 0.3), 4);
+%! assert (axis.weights*axis.kappa.', 3.5, 1e-12); assert (axis.ends, [0 0.3 0.5 1 1.5 2]);

@@ -22,3 +22,6 @@ endfunction
 %! axis = rod_axis (struct ("length", pi, "curvature", 1, "curvature_breaks", []), 8);
 %! [x, y, theta] = undeformed_places (struct ("axis", axis), pi);
 %! assert (hypot (x, y), 2, 1e-12); assert (theta - axis.tilt, pi, 1e-12);
+%!test # a straight rod lies on the x axis
+%! [x, y, theta] = undeformed_places (struct (), [0; 0.5; 2]);
+%! assert ([x; y; theta], [0 0.5 2; 0 0 0; 0 0 0]);

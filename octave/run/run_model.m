@@ -63,3 +63,33 @@ endfunction
 %! tip = @(name, tolerance) run_model (surface_kind (), scene, surface_rod (scene), ...
 %!                                     struct ("name", name, "tolerance", tolerance)).history.tip(:,end);
 %! assert (tip ("auto", 1e-9), tip ("lsode_bdf", 1e-7), 1e-6);
+%!function [run, asked] = of_balance (off, name, speed)   # runs whose balance is off by so much, one after the other
+%!  system = struct ("initial_state", [0; speed; 0; 0], "breaks", [], "state_scale", [1; 1; 1; 1], "duration", 1, ...
+%!                   "longest_step", Inf, "mass", 1, "stiffness", 0, "velocity_matrix", 1, "forms", {{"rate"}}, ...
+%!                   "auto", "ode45", "warnings", {{"of the system"}}, "rate", @(t, y, interval) [y(2); 0; 0; 0]);
+%!  asked = containers.Map ("KeyType", "double", "ValueType", "any");
+%!  kind = struct ("system", @(scene, model) system, "tighter", @(solver, off) tightened (solver, off, asked));
+%!  kind.observe = @(scene, model, system, times, states) observed (times, off(asked.Count + 1));
+%!  scene = struct ("duration", 1, "frames_per_second", 2, "solver", struct ("name", name, "tolerance", 1e-3));
+%!  run = run_model (kind, scene, "the model");
+%!endfunction
+%!function solver = tightened (solver, off, asked)
+%!  asked(asked.Count + 1) = [solver.tolerance, off];
+%!  solver.tolerance /= 2;
+%!endfunction
+%!function run = observed (times, off)
+%!  none = zeros (size (times));
+%!  run = struct ("x", none, "y", none);
+%!  run.history = struct ("t", times, "T", linspace (0, 1, numel (times)), "U", none, "Z", none, "W", none, ...
+%!                        "D", none, "balance", [none(1:end-1), off], "energy_floor", 0);
+%!endfunction
+%!test # "auto" tries again, with less, for as long as the balance is off, three times at most
+%! [run, asked] = of_balance ([0.2 0.1 0.05], "auto", 1);
+%! assert (cell2mat (asked.values ().'), [1e-3 0.2; 5e-4 0.1], 1e-12); assert (max (abs (run.history.balance)), 0.05);
+%! assert ({run.model, run.warnings, run.count.method}, {"the model", {"of the system"}, "ode45"});
+%! assert (of_balance ([0.2 0.2 0.2 0.01], "auto", 1).history.balance(end), 0.01);
+%!error <balance is off by 0.2> of_balance ([0.2 0.2 0.2 0.2 0], "auto", 1)
+%!error <balance is off by 0.2> of_balance ([0.2 0], "ode45", 1)
+%!test # what stays where it is has no balance to lose
+%! [run, asked] = of_balance ([0.2 0.1 0], "auto", 0);
+%! assert (asked.Count, uint64 (0));

@@ -100,3 +100,7 @@ endfunction
 %! failed = setfield (try_rung (ladder, 10), "error", "it shrank");
 %! [trial, needed] = smallest_near (ladder, failed, 2e-3, {});
 %! assert (trial, []); assert (needed, 10);
+%!test # what leaves out just the limit is within it: three terms of powers of two, the only ones that are run
+%! ladder = series (2.^-(0:9), 1);
+%! [trial, ~, trials] = smallest_near (ladder, try_rung (ladder, 10), sum (2.^-(3:9)), {});
+%! assert (trial.rung, 3); assert (cellfun (@(trial) trial.rung, trials), 3);

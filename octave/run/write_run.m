@@ -66,3 +66,14 @@ endfunction
 %!  endfor
 %!endfunction
 %!test in_scratch (@check_files); # every file of a run is there
+%!function check_without_pictures (folder)
+%!  evalc ("result = driver ('paper', 'modes', [0 0], 'output', folder);");
+%!  written = jsondecode (fileread (fullfile (folder, "summary.json")));
+%!  assert (result.summary.warnings, {"pictures are missing: no ink"});
+%!  assert (written.warnings, {"pictures are missing: no ink"});
+%!  assert (written.seconds.total >= written.seconds.integration); assert (written.seconds.pictures, 0);
+%!  assert (sort ({dir(folder).name}), {".", "..", "history.csv", "scratch", "summary.json"});
+%!endfunction
+%!test # where nothing can be drawn, the numbers are there, and the summary says why there is no more
+%! stand_in = {"summary = draw_run", "varargin", "error (\"no ink\\n\");"};
+%! in_scratch (@(folder, scratch) with_stand_ins (stand_in, @() check_without_pictures (folder)));

@@ -56,3 +56,10 @@ endfunction
 %! for field = scene_fields ().'
 %!   assert (ischar (value_error (field{3}, {})));
 %! endfor
+%!test # a scene that says no more than it must: the paper's steel in the earth's gravity, of which nothing else acts
+%! fields = scene_fields ();
+%! numbers = fields(cellfun (@(value) isnumeric (value) && ! isempty (value), fields(:,2)),[1 2]);
+%! expected = {"rod.length", NaN; "rod.lambda", 1.2e11; "rod.mu", 8.1e10; "rod.density", 7800; "rod.damping", 0
+%!             "gravity", 9.81; "moment", 0; "tip_mass", 0; "initial.phi", 0; "initial.phi_dot", 0; "duration", NaN
+%!             "frames_per_second", 50; "zoom", 1; "frame_size", [1280 720]; "solver.rho_infinity", 0.8};
+%! assert (numbers, expected);

@@ -46,6 +46,9 @@ endfunction
 %!   assert (table(:,3) < table(:,4));
 %!   assert (table(2,3) < 1.2*4*table(1,3));
 %!   assert (csvread (fullfile (folder, "conditioning.csv"), 1, 0), table, 1e-9);
+%!   evalc ("table = conditioning (folder, 0.01, 1);");  # a sine's correlation with the rotation of a straight rod
+%!   c = sqrt (6)/pi;
+%!   assert (table, [0.01, 1, 1, (1 + c)/(1 - c)], 1e-3);
 %!   assert (isempty (strfind (evalc ("conditioning (folder, 180, 2)"), "ans =")));  # nothing is echoed
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");

@@ -42,3 +42,22 @@ endfunction
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");
 %! end_unwind_protect
+%!function text = settings_of (table, scene, scratch)
+%!  finish_tool (draw_ladder (table, "modes", scene, scratch));
+%!  text = fileread (fullfile (scratch, "settings.gp"));
+%!endfunction
+%!test # points of each curve, of ode45 and of what is chosen; what has no error above 0 has no place on the axis
+%! table = struct ("method", {"exponential", "waveform", "ode45", "waveform", "waveform"}, "seconds", {2 4 8 1 1}, ...
+%!                 "error_m", {1e-3 1e-5 1e-6 0 NaN}, "label", {"3" "5" "7" "8" "9"}, ...
+%!                 "curve", {"a", "b", "b", "b", "b"}, "chosen", {false true false false false});
+%! scene = struct ("title", repmat ("t", 1, 182), "solver", struct ("tolerance", 1e-2));
+%! text = in_scratch (@(folder, scratch) settings_of (table, scene, scratch));
+%! for part = {"tolerance = 0.01", "labels = 'modes'", "array curves[2] = ['b', 'a']", "ode45 = 1", "chosen = 1", ...
+%!             "title_size = 6.5", "array counts[2] = [1, 1]", "$ode45 << EOD\n8 1e-06 \"7\"\nEOD", ...
+%!             "$chosen << EOD\n4 1e-05 \"5\"\nEOD", "$curve_1 << EOD\n4 1e-05 \"5\"\nEOD", ...
+%!             "$curve_2 << EOD\n2 0.001 \"3\"\nEOD"}
+%!   assert (numel (strfind (text, [part{1} "\n"])), 1, part{1});
+%! endfor
+%! scene.title = "";
+%! text = in_scratch (@(folder, scratch) settings_of (table(1), scene, scratch));
+%! assert (! isempty (strfind (text, "title_size = 18\n")));

@@ -31,3 +31,19 @@ endfunction
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");
 %! end_unwind_protect
+%!function text = settings_of (varargin)
+%!  scratch = varargin{end};
+%!  finish_tool (draw_limits (varargin{:}));
+%!  text = fileread (fullfile (scratch, "settings.gp"));
+%!endfunction
+%!test # the classical method's growth from almost 0 to a tenth beyond what was measured, 1 at its limit
+%! curves = {struct("method", "rk4", "limit", 2.83, "points", [1 1.5 1.25; 2.9 1.2 1.125])};
+%! text = in_scratch (@(folder, scratch) settings_of (curves, "A rod", 1e4, scratch));
+%! for part = {"title = 'A rod'", "array methods[1] = ['rk4']", "array limits[1] = [2.83]", "omega = 10000", ...
+%!             "$measured_1 << END\n1 1.25 \n2.9 1.125 \nEND"}
+%!   assert (numel (strfind (text, [part{1} "\n"])), 1, part{1});
+%! endfor
+%! points = str2num (regexp (text, '\$predicted_1 << END\n(.*?)\nEND', "tokens", "once"){1});
+%! assert (size (points), [200 2]); assert (points([1 end],1), [0.02; 3.19], 1e-9);
+%! growth = abs (1 + 1i*points(:,1) - points(:,1).^2/2 - 1i*points(:,1).^3/6 + points(:,1).^4/24);
+%! assert (points(:,2), growth, 1e-5);

@@ -44,3 +44,21 @@ endfunction
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");
 %! end_unwind_protect
+%!function text = settings_of (pictures, scratch)
+%!  finish_tool (draw_stability (pictures, scratch));
+%!  text = fileread (fullfile (scratch, "settings.gp"));
+%!endfunction
+%!test # regions have their limits on the axes, where the classical method has 2.785 and 2.828, and marks end there
+%! pair = [1 1; 2 2];
+%! wall = [1e-3 1 1e-4; 1e-4 0.5 1e-5];
+%! pictures = struct ("damping", pair/3, "ode45_wall", wall, "ode23_wall", wall, "resonances", pair, ...
+%!                    "trigonometric", pair, "stormer_verlet", pair, "implicit_midpoint", pair);
+%! text = in_scratch (@(folder, scratch) settings_of (pictures, scratch));
+%! points_of = @(name) str2num (regexp (text, ['\$' name ' << END\n(.*?)\nEND'], "tokens", "once"){1});
+%! points = points_of ("rk4_region");
+%! leftmost = min (points(points(:,2) < 0.02,1));
+%! highest = max (points(abs (points(:,1)) < 0.02,2));
+%! assert ([leftmost, highest], [-2.785, 2.828], 0.01);
+%! marks = points_of ("marks");
+%! assert (marks(:,1), zeros (14, 1)); assert (marks(end,2), 2.828, 1e-3); assert (marks(1,2) > 0);
+%! assert (points_of ("damping"), pair/3, 1e-6); assert (points_of ("ode23_wall"), wall, 1e-9);

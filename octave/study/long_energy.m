@@ -30,3 +30,9 @@ endfunction
 %! assert (log2 (coarse.amplitude/fine.amplitude), 2, 0.2);
 %! lost = long_energy ("rk4", 0.5, 50);
 %! assert (lost.slope < -3*lost.slope_deviation);
+%! ## the error begins with 0, and of the line through it the largest rest is the amplitude
+%! assert (coarse.periods([1 end]), [0 20], 1e-9); assert (coarse.error(1), 0);
+%! [p, S] = polyfit (coarse.periods, coarse.error, 1);
+%! assert (coarse.slope, p(1), 1e-6*abs (p(1)) + 1e-15);
+%! assert (coarse.amplitude, max (abs (coarse.error - polyval (p, coarse.periods))), 1e-6*coarse.amplitude);
+%! assert (coarse.slope_deviation, sqrt (S.normr^2/999)/norm (coarse.periods - 10), 1e-6*coarse.slope_deviation);

@@ -41,3 +41,4 @@ endfunction
 %! solver = struct ("name", "lsode_bdf", "tolerance", 1, "order", 1);
 %! assert (mode_growth (solver, 1), 1/sqrt (2), 1e-6);
 %! assert (mode_growth (solver, 1e4), 0);
+%!assert (mode_growth (struct ("name", "rk4", "tolerance", 1, "rho_infinity", 1), 20), NaN)  # it fails

@@ -154,3 +154,106 @@ endfunction
 %!     assert (slope(1:2), scene.rotation (t)(2:3), 1e-6*max (abs (scene.rotation (t)(2:3))) + 1e-9);
 %!   endfor
 %! endfor
+%!function [force, masses, angle] = load_of (scene)   # of the rod's tip: largest components, the mass, its angle
+%!  if (isfield (scene, "rod"))
+%!    force = scene.force;
+%!    masses = scene.tip_mass;
+%!    angle = NaN;
+%!    if (isfield (scene, "initial"))
+%!      angle = scene.initial.phi;
+%!    endif
+%!  else
+%!    is_force = cellfun (@(joint) strcmp (joint.kind, "force"), scene.joints);
+%!    force = scene.joints{is_force}.value;
+%!    masses = scene.bodies{end}.tip_mass;
+%!    angle = NaN;
+%!    if (numel (scene.bodies) == 2)
+%!      angle = scene.bodies{1}.initial.phi;
+%!    endif
+%!  endif
+%!  size = 0;
+%!  for t = scene.duration*logspace (-3, 0, 100)
+%!    if (norm (force (t)) > norm (size))
+%!      size = force (t);
+%!    endif
+%!  endfor
+%!  force = size*[cos(angle) -sin(angle); sin(angle) cos(angle)];  # along and across
+%!endfunction
+%!test # what is drawn spans the ranges that are stated, in units of the rod (15.42 as in tables of hinged free rods)
+%! n = 200;
+%! scenes = arrayfun (@random_loaded_scene, 1:n, "uniformoutput", false);
+%! single = mod (0:n-1, 4) < 2;
+%! assert (cellfun (@(s) isfield (s, "rod"), scenes), single);
+%! assert (cellfun (@(s) isfield (s, "rotation"), scenes), mod (0:n-1, 4) == 1);
+%! sizes = cellfun (@(s) numel (s.bodies), scenes(! single));
+%! assert (sizes, repmat ([2 3], 1, n/4));
+%! share = ones (1, n);
+%! share(! single) = 3;
+%! rods = cellfun (@(s) s.rod, scenes(single), "uniformoutput", false);
+%! rods = [rods, cellfun(@(s) s.bodies{1}.rod, scenes(! single), "uniformoutput", false)];
+%! scenes = [scenes(single), scenes(! single)];
+%! share = sort (share);
+%! of = @(take) cellfun (take, scenes);
+%! of_rod = @(field) cellfun (@(rod) rod.(field), rods);
+%! [l, EI, EA, rhoA] = deal (of_rod ("length"), of_rod ("EI"), of_rod ("EA"), of_rod ("rhoA"));
+%! h = 2*of_rod ("half_height");
+%! assert_spans (l, 0.3, 3); assert_spans (l./h, 15, 100);
+%! one_material = abs (EA.*h.^2./EI - 12) < 1e-9;
+%! assert (mean (one_material), 0.5, 0.1);
+%! assert_spans ((EA.*l.^2./EI)(! one_material), 100, 3000);
+%! assert_spans (rhoA./h.^2, 1000*0.5, 9000*3); assert_spans (12*EI./h.^4, 2e9*0.5, 2e11*3);
+%! assert (unique (of_rod ("damping")), [0 1e-5]); assert (mean (of_rod ("damping") == 0), 2/3, 0.1);
+%! period = 2*pi/15.42*l.^2.*sqrt (rhoA./EI);
+%! g = of (@(s) s.gravity).*rhoA.*l.^3./EI;
+%! assert (mean (g == 0), 0.5, 0.1); assert (g <= 0.03*(1 + 1e-9)); assert (of (@(s) s.gravity) <= 9.81);
+%! light = g(g > 0 & of (@(s) s.gravity) < 9.81);
+%! assert ([min(light), max(light)], [0.001 0.03], -0.3);
+%! assert_spans (of (@(s) s.duration)./period.*share, 1, 4);
+%! assert (of (@(s) s.duration*s.frames_per_second), 40*ones (1, n), 1e-9);
+%! assert_spans (of (@(s) s.solver.tolerance)./l./share, 3e-6, 5e-5);
+%! [forces, masses, angles] = cellfun (@load_of, scenes, "uniformoutput", false);
+%! masses = [masses{:}]./rhoA./l;
+%! assert (mean (masses == 0), 0.5, 0.1); assert_spans (masses(masses > 0), 0.05, 0.5);
+%! angles = [angles{:}];
+%! known = isfinite (angles);
+%! assert ([min(angles), mean(angles(known)), max(angles)]/pi, [-1 0 1], 0.1);
+%! size = (vertcat (forces{known}).*(l(known).^2./EI(known)).').';
+%! assert (mean (size > 0, 2), [0.5; 0.5], 0.15);
+%! soft = 5e-4*(EA.*l.^2./EI)(known) < 0.2;
+%! assert (abs (size(1,soft)) <= 5.0001e-4*(EA.*l.^2./EI)(known)(soft));
+%! assert_spans (abs (size(1,! soft)), 0.01, 0.2); assert_spans (abs (size(2,:)), 0.0005, 0.005);
+%!test # hubs turn by the angle from rest, in a share of the time, and stop, or go on at the rate angle/rise
+%! for k = 1:100
+%!   scene = random_loaded_scene (4*k - 2);
+%!   turned = scene.rotation (scene.duration) - [scene.rotation(0)(1), 0, 0];
+%!   assert (scene.rotation (0)(2:3), [0 0]); assert (turned(3), 0);
+%!   stops(k) = turned(2) == 0;
+%!   angle(k) = turned(1);
+%!   rise = max (scene.moment_breaks);
+%!   if (! stops(k))
+%!     angle(k) = 2*(turned(2)*scene.duration - turned(1));
+%!     rise = angle(k)/turned(2);
+%!   endif
+%!   assert (any (abs (scene.moment_breaks - rise) < 1e-9*scene.duration));
+%!   share(k) = rise/scene.duration;
+%! endfor
+%! assert (mean (stops), 0.5, 0.15); assert_spans (angle, 0.0003, 0.003); assert_spans (share(! stops), 0.2, 0.6);
+%!test # joints of two and of three rods
+%! of = @(take, first) cellfun (take, arrayfun (@random_loaded_scene, first:4:200, "uniformoutput", false));
+%! welds = @(s) [strcmp(s.joints{1}.kind, "weld"); strcmp(s.joints{2}.kind, "weld")];
+%! for number = 1:2
+%!   assert (mean (of (@(s) welds (s)(number), 3)), 0.5, 0.2);
+%! endfor
+%! assert (of (@(s) s.joints{2}.stations(1)/s.bodies{1}.rod.length, 3), ones (1, 50));
+%! assert (of (@(s) s.joints{3}.stations/s.bodies{1}.rod.length, 3), ones (1, 50));
+%! driven = of (@(s) numel (s.joints) == 4, 3);
+%! assert (mean (driven), 0.25, 0.15);
+%! turn = @(s) (s.joints{end}.value (s.duration) - [s.bodies{1}.initial.phi, 0, 0])(1:2);
+%! for seed = (3:4:200)(driven)
+%!   assert (turn (random_loaded_scene (seed)), [0.003, 0], 1e-9);
+%! endfor
+%! assert_spans (of (@(s) s.bodies{1}.initial.phi, 4), 0.3, 1);
+%! assert (of (@(s) s.bodies{1}.initial.phi + s.bodies{2}.initial.phi, 4), zeros (1, 50));
+%! assert (of (@(s) s.bodies{3}.initial.phi, 4), -pi/2*ones (1, 50), 1e-12);
+%! assert (mean (of (@(s) numel (s.joints) == 5, 4)), 0.6, 0.2);
+%! assert (of (@(s) s.joints{4}.stations/s.bodies{2}.rod.length, 4), ones (1, 50));

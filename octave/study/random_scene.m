@@ -51,3 +51,38 @@ endfunction
 %! assert (random_scene (3).rod, random_scene (3).rod);
 %! assert (! isequal (random_scene (3).rod, random_scene (4).rod));
 %! check_scene (random_scene (5));
+%!test # what is drawn spans the ranges that are stated, and loads and times are those of the rod (15.4 as in tables)
+%! scenes = arrayfun (@random_scene, 1:300, "uniformoutput", false);
+%! of = @(take) cellfun (take, scenes);
+%! l = of (@(s) s.rod.length);
+%! h = of (@(s) 2*s.rod.half_height);
+%! rhoA = of (@(s) s.rod.density*s.rod.width).*h;
+%! EI = 2.6*of (@(s) s.rod.mu*s.rod.width).*h.^3/12;
+%! period = l.^2.*sqrt (rhoA./EI)*2*pi/15.4;
+%! assert_spans (l, 0.2, 5); assert_spans (l./h, 20, 500); assert_spans (2*of (@(s) s.rod.width)./h, 0.5, 5);
+%! assert_spans (of (@(s) s.rod.mu), 1e9, 1e11); assert_spans (of (@(s) s.rod.lambda/s.rod.mu), 0.5, 2);
+%! assert_spans (of (@(s) s.rod.density), 1e3, 9e3); assert_spans (of (@(s) s.zoom), 1, 100);
+%! g = of (@(s) s.gravity);
+%! assert (g <= 9.81 & g <= 1.001*EI./(rhoA.*l.^3)); assert (mean (g == 9.81), 0.5, 0.2);
+%! light = g(g < 9.81).*(rhoA.*l.^3./EI)(g < 9.81);
+%! assert ([min(light), max(light)], [0.01 1], -0.3);
+%! ends = of (@(s) s.moment_breaks);
+%! assert_spans (ends./period, 0.1, 10); assert_spans (of (@(s) s.duration)./period, 3, 30);
+%! assert (of (@(s) s.duration*s.frames_per_second), 60*ones (1, 300), 1e-9);
+%! assert_spans (of (@(s) s.moment (s.moment_breaks/2)).*l./EI, 1e-3, 0.1);
+%! assert (of (@(s) s.moment (1.001*s.moment_breaks)), zeros (1, 300));
+%! start = of (@(s) s.moment (0)) == 0;  # a half wave, or a step
+%! assert (mean (start), 0.5, 0.1);
+%! assert (of (@(s) s.moment (s.moment_breaks/6)/s.moment (s.moment_breaks/2)), 1 - start/2, 1e-9);
+%! phi = of (@(s) s.initial.phi);
+%! assert ([min(phi), mean(phi), max(phi)]/pi, [-1 0 1], 0.1);
+%! for share = {@(s) s.rod.damping*1e5, @(s) s.initial.phi_dot > 0, @(s) s.initial.V2(1) > 0}
+%!   assert (mean (of (share{1})), 0.3, 0.1);
+%! endfor
+%! turning = of (@(s) s.initial.phi_dot).*period;
+%! assert (turning(turning > 0), 0.5*ones (1, sum (turning > 0)), 1e-9);
+%! bent = of (@(s) s.initial.V2(1)/s.rod.length);
+%! assert_spans (bent(bent > 0), 1e-4, 1e-2);
+%! second = of (@(s) s.initial.V2(2))./of (@(s) s.initial.V2(1));
+%! assert ([min(second), max(second)], [-0.5 0.5], 0.1);
+%! assert (mean (of (@(s) strcmp (s.model.energy, "paper"))), 0.5, 0.1);

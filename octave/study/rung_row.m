@@ -23,3 +23,8 @@ endfunction
 %! count = struct ("method", "rk4", "seconds", 2, "calls", 8);
 %! said = evalc ("row = rung_row (ladder, 3, count, 1e-3, 3);");
 %! assert (row.chosen && strcmp (row.curve, "rungs")); assert (said(end-3:end), " <-\n");
+%! assert ({row.model, row.method, row.error_m, row.seconds, row.calls, row.label}, {"one", "rk4", 1e-3, 2, 8, "1"});
+%! assert (row.part, 1);
+%! assert (regexp (said, '^  one +rk4 +0.001 m +2.00 s +8 calls <-\n$'), 1);
+%! said = evalc ("row = rung_row (ladder, 3, count, 1e-3, 4);");
+%! assert (! row.chosen); assert (said(end-5:end), "calls\n");

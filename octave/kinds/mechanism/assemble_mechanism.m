@@ -117,3 +117,9 @@ endfunction
 %! scene.bodies = scene.bodies(1);
 %! [start, warnings] = assembled (scene, 0);
 %! assert (start.q, zeros (3, 1)); assert (warnings, {"body 1 hangs on nothing: no joints lead from it to the ground"});
+%!test # a driven joint has the place and the rate of the start
+%! scene = setfield (bars (0.7), "bodies", bars (0.7).bodies(1));
+%! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), ...
+%!                 struct("kind", "angle", "bodies", 1, "stations", 0, "value", @(t) [0.3 + 2*t, 2, 0])};
+%! [start, warnings] = assembled (scene, 0);
+%! assert (start.q, [0.3; 0; 0], 1e-12); assert (start.v(1), 2, 1e-12);

@@ -34,4 +34,13 @@ endfunction
 
 %!test
 %! [scene, body] = mechanism_fields ();
-%! assert (any (strcmp ("rod.length", body(:,1)))); assert (columns (scene), 3);
+%! joint = joint_fields ();
+%! assert (any (strcmp ("rod.length", body(:,1)))); assert (columns (joint), 3);
+%!test # what bodies and joints have that say no more than they must: nothing acts, and nothing gives way
+%! [scene, body] = mechanism_fields ();
+%! joint = joint_fields ();
+%! of = @(fields, names) cellfun (@(name) fields{strcmp(fields(:,1), name),2}, names, "uniformoutput", false);
+%! assert (of (scene, {"solver.baumgarte", "bodies", "joints", "breaks"}), {100, NaN, {{}}, []});
+%! assert (of (joint, {"kind", "bodies", "stations", "point", "direction", "value", "stiffness", "damping", "rest"}), ...
+%!         {NaN, NaN, [], [0 0], 0, 0, 0, 0, 0});
+%! assert (of (body, {"initial.phi", "initial.phi_dot", "initial.x", "initial.y_dot", "tip_mass"}), {0, 0, [], [], 0});

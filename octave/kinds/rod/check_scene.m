@@ -108,3 +108,10 @@ endfunction
 %! check_scene (setfield (setfield (smallest (), "model", "axial", "quasistatic"), "joints", spring));
 %!error <joints\(1\).value gives NaN at t = 0: it takes 1 numbers>
 %! check_scene (setfield (smallest (), "joints", struct ("kind", "moment", "stations", 1, "value", @(t) NaN)));
+%!test # a force at the tip, a hub that turns, and a constant moment are scenes
+%! assert (check_scene (setfield (smallest (), "force_station", 1)).force_station, 1);
+%! scene = check_scene (setfield (smallest (), "rotation", @(t) [0 0 0]));
+%! assert (scene.force_station, 1); assert (scene.solver.tolerance, plane_pixel (scene, 1)/2, plane_pixel (scene, 1));
+%! assert (check_scene (setfield (smallest (), "moment", 3)).moment ([1 2]), [3 3]);
+%!error <rotation prescribes the angle>
+%! check_scene (setfield (setfield (smallest (), "initial", "phi_dot", 1), "rotation", @(t) [0 0 0]))

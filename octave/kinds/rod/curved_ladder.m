@@ -30,3 +30,18 @@ endfunction
 %! rich = trial_run (scene, setfield (setfield (choice.rung, "sines", [12 18]), "axial", "dynamic"));
 %! true_error = distance (choice.trial, rich);
 %! assert (true_error <= 1e-3); assert (choice.error_m/true_error, 1, 0.3);
+%!test # from the modes of the initial state to 27 + 40, solved to a fifth of the tolerance
+%! scene = arc_pendulum ();
+%! scene.initial.V1 = [0 1e-6 0]; scene.initial.V2_dot = [0 0 0 1e-6];
+%! scene = check_scene (scene);
+%! scene.solver.tolerance = 1e-3;
+%! ladder = curved_ladder (scene);
+%! assert (ladder.solver.tolerance, 2e-4, 1e-15); assert (ladder.solver.name, "auto");
+%! [rung, ~] = ladder.first ();
+%! assert (rung.sines, [3 4]); assert (ladder.smaller (rung, 1).sines, [3 4]);
+%! assert (ladder.richer (rung).sines, [7 10]); assert (ladder.smaller (ladder.richer (rung), 2).sines, [7 9]);
+%! assert (ladder.richer (ladder.richer (ladder.richer (rung))).sines, [27 40]);
+%! scene.model.axial = "none"; scene.initial.V1 = scene.initial.V2_dot = [];
+%! ladder = curved_ladder (scene);
+%! [rung, ~] = ladder.first ();
+%! assert (rung.sines, [0 2]); assert (ladder.richer (rung).sines, [0 6]);

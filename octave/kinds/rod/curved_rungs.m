@@ -16,3 +16,8 @@ endfunction
 %! assert (rungs{1}, curved_rung ([0 0]));
 %! assert (rungs{end}, curved_rung ([3 6]));
 %! assert (cellfun (@(rung) isequal (rung.sines, [1 2]), rungs), [false false true false false false](1:numel (rungs)));
+%!test # up to a far richer one
+%! rungs = curved_rungs (curved_rung ([4 7]), curved_rung ([15 20]));
+%! assert (cell2mat (cellfun (@(rung) rung.sines, rungs.', "uniformoutput", false)), ...
+%!         [0 0; 0 1; 1 2; 2 3; 3 5; 4 7; 5 8; 8 12; 12 18; 15 20]);
+%! assert (numel (curved_rungs (curved_rung ([4 7]), curved_rung ([12 18]))), 9);

@@ -81,3 +81,15 @@ endfunction
 %! scene.model = struct ("modes", [1 1], "axial", "quasistatic");
 %! scene = check_scene (setfield (scene, "solver", "name", "trigonometric"));
 %! hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
+%!test # damping is the material's, in proportion to its stiffness; work and what dissipates begin with none
+%! scene = check_scene (setfield (damped (), "model", "modes", [1 2]));
+%! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
+%! assert (system.damping_matrix, scene.rod.damping*system.stiffness, 1e-9*norm (system.damping_matrix));
+%! assert (system.initial_state(system.energy_rows), [0; 0]); assert (system.energy_rows, numel (system.initial_state) - [1 0]);
+%! assert (system.duration, scene.duration); assert (system.gravity, scene.gravity); assert (system.warnings, {});
+%! assert (! system.turned);  # the paper's sines
+%! turned = setfield (paper (), "initial", struct ("phi", 1, "phi_dot", 3));
+%! scene = check_scene (setfield (turned, "model", "modes", [0 0]));
+%! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
+%! assert (system.initial_state, [1; 3*system.mass; 0; 0], 1e-12);
+%! assert (system.motion (0, system.initial_state).phi_dot, 3, 1e-12);

@@ -59,3 +59,8 @@ endfunction
 %! theta = cell2mat (arrayfun (@(t) scene.rotation (t).', history.t, "uniformoutput", false));
 %! assert (history.psi, theta(1,:), 1e-12);
 %! assert (numel (history.torque), numel (history.t));
+%!test # it starts from its initial state, and with no work
+%! scene = setfield (spin_up (), "initial", struct ("V2", [1e-3 2e-3], "V2_dot", [3e-3 0]));
+%! scene = check_scene (setfield (scene, "model", "modes", [0 2]));
+%! system = hub_rod (scene, build_model (scene, rung_of_scene (scene)));
+%! assert (system.initial_state(5:6), [0; 0]); assert (norm (system.initial_state(1:2)) > 1e-3);

@@ -58,3 +58,19 @@ endfunction
 %! history.joints = struct ("x", [1 1; 2 3], "y", [4 4; 5 6]);
 %! hinges = rod_drawing (scene, model, history).hinges;
 %! assert (hinges.x, [0 0; 2 3]); assert (hinges.shape, {"pin"; "pin"});
+%!test # a hub, a curved rod, one of no height, and loads
+%! [scene, model] = sample_rod ([0 1]);
+%! history = setfield (setfield (sample_history (2), "V", [0, 1e-4]), "joints", []);
+%! [history.phi, history.V_names] = deal ([0 0], {"V2_1"});
+%! drawing = rod_drawing (scene, model, history);
+%! assert (drawing.hinges.shape, {"pin"}); assert (drawing.equations, {"hinged", "straight"});
+%! assert (drawing.bodies.half_height, scene.rod.half_height); assert (drawing.moment, scene.moment (history.t));
+%! assert ({drawing.title, drawing.time, drawing.zoom}, {scene.title, history.t, scene.zoom});
+%! assert ({drawing.gravity, drawing.moment_breaks}, {scene.gravity, scene.moment_breaks});
+%! scene.rotation = @(t) [0 0 0];
+%! scene.rod.curvature = 1;
+%! scene.rod.half_height = [];
+%! history.torque = [3 4];
+%! drawing = rod_drawing (scene, model, history);
+%! assert (drawing.hinges.shape, {"hub"}); assert (drawing.equations, {"hinged", "curved"});
+%! assert (drawing.bodies.half_height, scene.rod.length/100); assert (drawing.moment, [3 4]);

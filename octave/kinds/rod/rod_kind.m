@@ -121,3 +121,27 @@ endfunction
 %! assert (! plane (instead ("rod", "damping", 1e-5)));
 %! assert (! plane (instead ("force", @(t) [1 0])));
 %! assert (! plane (rod_kind ().instead (check_scene (spin_up ()))));
+%!test # how it asks for a balance, far richer models, and what is said of a run
+%! kind = rod_kind ();
+%! tighter = @(off) kind.tighter (struct ("tolerance", 1), off).tolerance;
+%! assert (arrayfun (tighter, [1e-7 1e-5 1]), [0.1 0.01 1e-3], 1e-12);
+%! of = @(varargin) kind.far_richer (check_scene (setfield (varargin{:})), []);
+%! assert (rung_name (of (paper (), "zoom", 1)), "30 bending + 30 longitudinal modes, foreshortening");
+%! assert (rung_name (of (paper (), "model", "axial", "none")), "30 bending modes, foreshortening");
+%! assert (rung_name (of (paper (), "model", "stiffening", "none")), "30 bending + 30 longitudinal modes");
+%! assert (of (arc_pendulum (), "zoom", 1).sines, [27 40]);
+%! assert (of (arc_pendulum (), "model", "axial", "none").sines, [0 40]);
+%! assert (kind.literal (check_scene (paper ())).sines, [7 7]);
+%! for field = {"tip_mass", "force"; 1, @(t) [1 0]}
+%!   assert (kind.literal (check_scene (setfield (paper (), field{:}))), []);
+%! endfor
+%! assert ({kind.literal(check_scene (spin_up ())), kind.literal(check_scene (arc_pendulum ()))}, {[], []});
+%! scene = check_scene (setfield (paper (), "model", "modes", [1 2]));
+%! own = kind.describe (scene, struct ("model", build_model (scene, rung_of_scene (scene))));
+%! assert (own.model, "1 + 2 sines"); assert (own.modes, [1 2]);
+%! assert ({own.axial, own.stiffening, own.energy}, {"dynamic", "none", "paper"});
+%! assert (own.moment_work, scene.model.moment_work);
+%! assert (own.rotary_inertia, logical (scene.model.rotary_inertia));
+%! observed = trial_run (check_scene (setfield (paper (), "duration", 0.02)), rung_of_scene (scene));
+%! assert (size (observed.x), [21, numel(observed.history.t)]);
+%! assert (observed.x(end,:), observed.history.tip_x, 1e-12);

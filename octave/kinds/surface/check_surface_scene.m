@@ -91,6 +91,7 @@ endfunction
 %!test # defaults are filled in
 %! scene = check_surface_scene (smallest ());
 %! assert (scene.solver.tolerance, 1/1440);
+%! assert (scene.surface.side, 1); assert (scene.rod.half_height, 1/200);
 %! assert (scene.rod.EI_normal, 1); assert (scene.gravity, 9.81); assert (scene.force, [0 0 0]);
 %!error <surface is a char: it takes a struct> check_surface_scene (setfield (smallest (), "surface", "bowl"))
 %!error <rod.EA is -1: it takes positive number in N> check_surface_scene (setfield (smallest (), "rod", "EA", -1))
@@ -105,3 +106,17 @@ endfunction
 %!error <surface.side is not 1, -1 or 0> check_surface_scene (setfield (smallest (), "surface", "side", 2))
 %!error <model.sines are beside so many polynomials as model.modes says>
 %! check_surface_scene (setfield (smallest (), "model", "sines", [2 2]))
+%!test # any side, and what it states of its own
+%! for side = [-1 0 1]
+%!   assert (check_surface_scene (setfield (smallest (), "surface", "side", side)).surface.side, side);
+%! endfor
+%! scene = setfield (setfield (smallest (), "rod", "EI_normal", 7), "rod", "half_height", 0.02);
+%! scene.force = [1 2 3]; scene.initial.point = [0.1 0.2]; scene.model.modes = [3 4];
+%! checked = check_surface_scene (scene);
+%! assert ({checked.rod.EI_normal, checked.rod.half_height, checked.force}, {7, 0.02, [1 2 3]});
+%! assert ({checked.initial.point, checked.initial.angle, checked.model.modes}, {[0.1 0.2], 0, [3 4]});
+%!error <rod.colour is not a field of a scene on a surface> check_surface_scene (setfield (smallest (), "rod", "colour", 1))
+%!error <rod is not a field of a scene on a surface> check_surface_scene (setfield (smallest (), "rod", 1))
+%!error <ends is a 1-by-2 cell: it takes> check_surface_scene (setfield (smallest (), "ends", {"free", "loose"}))
+%!error <force is 1   2: it takes three numbers> check_surface_scene (setfield (smallest (), "force", [1 2]))
+%!error <initial.point is 1   2   3: it takes> check_surface_scene (setfield (smallest (), "initial", "point", [1 2 3]))

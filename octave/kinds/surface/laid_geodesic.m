@@ -43,3 +43,14 @@ endfunction
 %! assert ([x; y; z], 2*[cos(0.3)*sin(s/2); sin(0.3)*sin(s/2); -cos(s/2)], 1e-10);
 %!error <initial.point is \[0 1\]: the surface's chart is singular there>
 %! laid_geodesic (surface_functions (struct ("name", "cone", "half_angle", 1)), [0 1], 0, [0 1]);
+%!test # on a saddle, whose chart is oblique: as long as it is, and at its angle to the first direction
+%! surface = surface_functions (struct ("name", "saddle", "rise", 1.5, "fall", 0.7));
+%! s = linspace (0, 1, 401);
+%! alpha = laid_geodesic (surface, [0.3 0.2], 0.7, s);
+%! [x, y, z] = surface.position (struct ("alpha1", [alpha(1,:), 0.3 + 1e-6], "alpha2", [alpha(2,:), 0.2]));
+%! p = [x; y; z];
+%! assert (alpha(:,1), [0.3; 0.2], 1e-12);
+%! assert (norm (diff (p(:,1:401), 1, 2), "columns"), s(2)*ones (1, 400), 1e-5*s(2));
+%! first = (p(:,402) - p(:,1))/norm (p(:,402) - p(:,1));
+%! assert (first.'*(p(:,2) - p(:,1))/s(2), cos (0.7), 3e-3);
+%! assert (alpha(2,2) > alpha(2,1));

@@ -26,3 +26,15 @@ endfunction
 %! s = linspace (0, 2*pi, 101).';
 %! refuse_self_contact (struct ("t", [1 2], "x", [s, cos(s)], "y", [0*s, sin(s)], "z", [s s]*0), ...
 %!                      struct ("rod", struct ("length", 2*pi, "half_height", 0.01)));
+%!error <the rod touches itself at t = 0 s, 0.48 m and 0.52 m along it> # a fold of 4 cm, after which it leads away
+%! s = (0:100).';
+%! x = min (s, max (100 - s, 46));
+%! refuse_self_contact (struct ("t", 0, "x", x/100, "y", max (s - 54, 0)/100, "z", 0*s), ...
+%!                      struct ("rod", struct ("length", 1, "half_height", 0.002)));
+%!test # neighbours along a rod are near each other, and no contact; nor is a coil that stays a height apart
+%! s = (0:100).'/100;
+%! scene = struct ("rod", struct ("length", 1, "half_height", 0.03));
+%! refuse_self_contact (struct ("t", 0, "x", s, "y", 0*s, "z", 0*s), scene);
+%! coil = @(rise) struct ("t", 0, "x", cos (8*pi*s)*0.039, "y", sin (8*pi*s)*0.039, "z", rise*4*s);
+%! refuse_self_contact (coil (0.064), scene);
+%! fail ("refuse_self_contact (coil (0.058), scene)", "the rod touches itself at t = 0 s");

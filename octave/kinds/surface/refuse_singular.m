@@ -26,3 +26,18 @@ endfunction
 %!error <the rod leaves the chart at t = 1: the surface has no metric there>
 %! cone = surface_functions (struct ("name", "cone", "half_angle", 1));
 %! refuse_singular (cone, struct ("alpha1", [1; NaN], "alpha2", [0; 0]), "at t = 1");
+%!function refuse (normals, determinant)
+%!  surface.normal = @(fields) deal (normals(:,1), normals(:,2), normals(:,3), determinant);
+%!  refuse_singular (surface, struct ("alpha1", [1; 2], "alpha2", [3; 4]), "at t = 7");
+%!endfunction
+%!test # between two points the normal turns by less than a right angle, and the metric keeps a ten thousandth of itself
+%! for k = 1:3
+%!   n = eye (3)(k,:);
+%!   refuse ([n; n], [1; 1]);
+%!   fail ("refuse ([n; -n], [1; 1])", "meets a point at t = 7 where the surface's chart is singular");
+%!   fail ("refuse ([n; circshift(n, 1) - 0.1*n], [1; 1])", "chart is singular");
+%!   refuse ([n; circshift(n, 1) + 0.1*n], [1; 1]);
+%! endfor
+%! refuse ([n; n], [1; 1.1e-4]);
+%! fail ("refuse ([n; n], [1; 0.9e-4])", 'singular, near alpha = \(2, 4\)');
+%! fail ("refuse ([n; n], [1e-5 1; 1 1])", 'singular, near alpha = \(1, 3\)');

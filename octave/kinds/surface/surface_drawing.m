@@ -63,6 +63,13 @@ endfunction
 %! history = measure_surface (system, scene, [0 1], [system.initial_state, system.initial_state]);
 %! drawing = surface_drawing (system, scene, history);
 %! check_drawing (drawing);
+%! for side = [1 0 -1]  # where both sides hold it, as on the first
+%!   lifted = surface_drawing (system, setfield (scene, "surface", "side", side), history).surface.rod.z(1);
+%!   assert (lifted - history.z(1), scene.rod.half_height*history.n_3(1)*(1 - 2*(side < 0)), 1e-12);
+%! endfor
+%! assert ([drawing.zoom, drawing.surface.room/scene.rod.half_height, drawing.moment], [1 3 0 0], 1e-12);
+%! assert (size (drawing.backdrop), [1 16]); assert (drawing.equations, {"surface", ["surface_" scene.surface.name]});
+%! assert (cellfun (@(panel) panel.label, num2cell (drawing.strips), "uniformoutput", false){1}(1:3), "tip");
 %! assert (drawing.bodies.x, drawing.surface.rod.x, 1e-12);
 %! assert (drawing.bodies.y, drawing.surface.rod.y, 1e-12);
 %! assert (columns (drawing.hinges.x), 2); assert (rows (drawing.hinges.x), 0);

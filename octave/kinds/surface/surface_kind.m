@@ -117,3 +117,24 @@ endfunction
 %!   warnings = surface_kind ().warnings (struct ("surface", struct ("side", 1)), struct ("history", history));
 %!   assert (numel (warnings) == 1, strain > 0.05);
 %! endfor
+%!test # what is said of a run, its pixel, and how the solver is asked for a balance
+%! kind = surface_kind ();
+%! scene = struct ("surface", struct ("name", "cone"), "rod", struct ("length", 2), "ends", {{"free", "free"}}, ...
+%!                 "frame_size", [1280 720]);
+%! assert (kind.pixel (scene), 2/720, 1e-15);
+%! run.history = struct ("angular_momentum", [1 1.5 1; 0 -3 1; 7 7 7], "largest_strain", 0.01, ...
+%!                       "reaction", [3 -4; 8 1], "q", [0.1 0.1; -0.4 0.3; 0.2 0.2; 0.1 0.1; -0.2 0.6]);
+%! run.model.numbers = struct ("modes", [2 2], "sines", [0 1]);
+%! own = kind.describe (scene, run);
+%! assert (own.model, "2 + 3 base functions on the surface cone");
+%! assert ({own.surface, own.modes, own.sines, own.ends}, {scene.surface, [2 2], [0 1], scene.ends});
+%! assert (own.angular_momentum_change, [0.5 3 0]); assert (own.largest_strain, 0.01);
+%! assert (own.reaction, [-4 8]); assert (own.largest_end_coefficient, 0.3);
+%! tighter = @(off) kind.tighter (struct ("tolerance", 1), off).tolerance;
+%! assert (arrayfun (tighter, [1e-7 1e-6 1]), [0.1 0.05 1e-3], 1e-12);
+%! assert (cell2mat (kind.rungs (scene, [6 6], [9 9]).'), [5 6 7 8 9].'*[1 1]);
+%!test # when it would lift off, and by how much
+%! said = @(reaction) surface_kind ().warnings (struct ("surface", struct ("side", 1)), ...
+%!   struct ("history", struct ("t", [0 1 2], "reaction", reaction, "largest_strain", 0)));
+%! assert (said ([1 1 1; 2 -1e-7 1]), {});
+%! assert (! isempty (strfind (said ([1 -2 1; 2 1 -3]){1}, "from t = 1 s on, by up to 3 N/m at t = 2 s:")));

@@ -35,3 +35,15 @@ endfunction
 %! patch = surface_patch (system, scene, history);
 %! assert (size (patch.shade), [36 36]);
 %! assert (min (patch.x(:)) < min (history.x) && max (patch.z(:)) > max (history.z));
+%!test # 0.15 of the larger span beyond the rod's, across it 0.3 of half that span more; lit from the camera's right
+%! scene.view.azimuth = 60;
+%! system.surface = surface_functions (struct ("name", "plane", "inclination", 0));
+%! patch = surface_patch (system, scene, struct ("alpha", {{[0; 2], [1; 1]}}));
+%! assert ([min(patch.x(:)), max(patch.x(:)), min(patch.y(:)), max(patch.y(:))], [-0.3 2.3 0.4 1.6], 1e-12);
+%! assert (patch.z, zeros (36), 1e-12); assert (patch.shade, (0.55 + 0.45*0.8)*ones (36), 1e-12);
+%! system.surface = surface_functions (struct ("name", "plane", "inclination", pi/2));
+%! scene.view.azimuth = 0;
+%! shade = surface_patch (system, scene, struct ("alpha", {{[0; 2], [1; 1]}})).shade;
+%! scene.view.azimuth = 60;
+%! turned = surface_patch (system, scene, struct ("alpha", {{[0; 2], [1; 1]}})).shade;
+%! assert (sort ([shade(1), turned(1)]), 0.55 + 0.45*0.55*[0, sqrt(3)/2], 1e-12);

@@ -51,3 +51,11 @@ endfunction
 %! for field = surface_scene_fields ().'
 %!   assert (ischar (value_error (field{3}, {})));
 %! endfor
+%!test # what a scene has that says no more than it must: free, at the chart's origin, with nothing but its weight
+%! fields = surface_scene_fields ();
+%! numbers = fields(cellfun (@(value) isnumeric (value) && ! isempty (value), fields(:,2)),[1 2]);
+%! expected = {"rod.length", NaN; "rod.EA", NaN; "rod.EI", NaN; "rod.GJ", 0; "rod.rhoA", NaN; "rod.rhoI", 0
+%!             "gravity", 9.81; "moment", 0; "tip_moment", 0; "force", [0 0 0]; "initial.point", [0 0]
+%!             "initial.angle", 0; "duration", NaN; "frames_per_second", 50; "frame_size", [1280 720]
+%!             "view.elevation", 35; "view.azimuth", 30; "view.turning", 0; "model.sines", [0 0]};
+%! assert (numbers, expected);

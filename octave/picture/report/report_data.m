@@ -133,3 +133,32 @@ endfunction
 %! drawing = sample_drawing (1);
 %! drawing.strips(1).label = "</script>";
 %! assert (isempty (strfind (report_data (drawing), "</")));
+%!test # what is written is what is drawn: times, strips, the moment, the range of zooms, and the pace
+%! drawing = sample_drawing (7);
+%! data = jsondecode (report_data (drawing));
+%! assert (data.time.', drawing.time, 1e-12); assert (data.zoom, 300); assert (data.gravity, 9.81);
+%! assert (data.moment, false);
+%! for k = 1:3
+%!   [label, values] = scaled_panel (drawing.strips(k));
+%!   assert (data.strips(k).label, label); assert (data.strips(k).range.', padded_range (values), 1e-12);
+%!   assert (data.strips(k).values, values, 2e-5*max (abs (values(:))));
+%! endfor
+%! assert (data.decimals, 2); assert (data.speed, range (drawing.time)/2, 1e-12);
+%! drawing.time = 30*drawing.time/range (drawing.time);
+%! drawing.moment = [0 1 2 3.14159265 0 -400 0];
+%! drawing.frames_per_second = 1001;
+%! data = jsondecode (report_data (drawing));
+%! assert (data.speed, 1.5, 1e-12); assert (data.decimals, 4);
+%! assert (data.moment.', [0 1 2 3.142 0 -400 0], 1e-12);
+%! camera = fit_camera (drawing, [1 1]);
+%! off = max (hypot (drawing.bodies.x - drawing.bodies.rest_x, drawing.bodies.y - drawing.bodies.rest_y)(:));
+%! assert (data.largest_zoom >= 600 && data.largest_zoom/300*off >= 0.3*camera.pixel);
+%! drawing.bodies.x = drawing.bodies.rest_x;
+%! drawing.bodies.y = drawing.bodies.rest_y;
+%! drawing.moment = zeros (1, 7);
+%! data = jsondecode (report_data (drawing));
+%! assert (data.largest_zoom, 600); assert (data.moment, false); assert (data.deformation_unit, 0);
+%!test # of many frames and points 400 and 41 are shown, the first and the last among them
+%! drawing = sample_drawing (900);
+%! data = jsondecode (report_data (drawing));
+%! assert (size (data.bodies.rest), [400 82]); assert (data.time([1 end]).', drawing.time([1 end]), 1e-12);
