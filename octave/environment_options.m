@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{arguments} =} environment_options ()
 ## The arguments of @code{driver} from the environment, as `make simulate' passes them: SCENE, MODES, SOLVER,
-## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES (yes or no) and BUDGET, those that are set and not empty.
+## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES (yes or no), BUDGET and TIME, those that are set and not empty.
 ## @end deftypefn
 
 function arguments = environment_options ()
@@ -10,7 +10,7 @@ function arguments = environment_options ()
     scene = "paper";
   endif
   arguments = {scene};
-  for name = {"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "BUDGET"}
+  for name = {"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "BUDGET", "TIME"}
     value = getenv (name{1});
     if (! any (strcmp (name{1}, {"SOLVER", "OUTPUT"})))
       value = number_or_text (value);

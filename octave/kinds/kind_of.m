@@ -54,6 +54,9 @@
 ## the rung of the paper's sines, 7 + 7, or empty
 ## @item sized (scene, n)
 ## the model of size n, so many modes, polynomials or elements of each sort, empty where there is none
+## @item at_rest (scene, model)
+## the balance of forces that @code{equilibrium} and @code{vibrations} take (see @code{mechanism_at_rest}); one rod has
+## it as a body (see @code{scene_at_rest})
 ## @item reference
 ## the method and the tolerance (m) that integrations are measured against: a cell array
 ## @end table

@@ -1,17 +1,19 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{scene}, @var{kind}, @var{output}, @var{left}] =} study_scene (@var{which}, @var{options})
+## @deftypefn {} {[@var{scene}, @var{kind}, @var{output}, @var{left}] =} study_scene (@var{which}, @var{options}, @
+##   @var{change})
 ## The checked scene of a study, its kind (see @code{kind_of}), where its files go, and a function that says how many
-## seconds of the study are @var{left}: @var{which} and @var{options} (a cell array) are arguments as for
-## @code{driver}, and the option "budget", the seconds that the study may take (default 60).  A folder that cannot be
-## written is an error.
+## seconds of the study are @var{left}: @var{which} and @var{options} (a cell array) are arguments as for @code{driver},
+## and the option "budget", the seconds that the study may take (default 60); @var{change} (scene) is what the study
+## makes of the scene before it is checked.  A folder that cannot be written is an error.
 ## @end deftypefn
 
-function [scene, kind, output, left] = study_scene (which, options)
+function [scene, kind, output, left] = study_scene (which, options, change = @(scene) scene)
   start = tic ();
-  [budget, options] = take_budget (options);
+  [budget, options] = taken_option (options, "budget", 60, @(s) isreal (s) && s > 0, "seconds, a positive number");
   left = @() budget - toc (start);
   [scene, name] = load_scene (which);
   [scene, output] = take_options (scene, fullfile ("output", name), options);
+  scene = change (scene);
   kind = kind_of (scene);
   scene = kind.check (scene);
   if (isempty (scene.title))
@@ -22,18 +24,6 @@ function [scene, kind, output, left] = study_scene (which, options)
                  scene.frames_per_second);
   endif
   require_folder (output.folder);
-endfunction
-
-function [budget, options] = take_budget (options)
-  budget = 60;
-  at = find (strcmp (options(1:2:end), "budget"), 1, "last");
-  if (! isempty (at) && numel (options) >= 2*at)
-    budget = options{2*at};
-    if (! (isnumeric (budget) && isscalar (budget) && isreal (budget) && budget > 0))
-      scene_error ("budget is %s: it takes seconds, a positive number", strtrim (disp (budget)));
-    endif
-    options([2*at - 1, 2*at]) = [];
-  endif
 endfunction
 
 %!error <cannot be made|can be written> study_scene ("paper", {"output", "/proc/nowhere"})

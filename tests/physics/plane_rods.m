@@ -15,10 +15,11 @@ endfunction
 %! scene = plane_rods ({"clamped", "free"}, [18 18]);
 %! scene.rod.EA = 1e3;  # nothing stretches it
 %! scene.tip_moment = @(t) 2*pi*t;
-%! system = surface_rod (check_surface_scene (scene));
+%! scene = check_surface_scene (scene);
+%! system = surface_rod (scene);
 %! z = zeros (system.n, 1);
 %! for t = 0.05:0.05:1
-%!   z = surface_equilibrium (system, z, t);
+%!   z = equilibrium (surface_at_rest (scene, system), t, z);
 %! endfor
 %! xi = (0:0.1:1).';
 %! f = system.fields (z, z, z, xi);
@@ -39,10 +40,11 @@ endfunction
 %! for force = [1 10]
 %!   scene = plane_rods ({"clamped", "free"}, [16 16]);
 %!   scene.force = @(t) [0 force*t 0];
-%!   system = surface_rod (check_surface_scene (scene));
+%!   scene = check_surface_scene (scene);
+%!   system = surface_rod (scene);
 %!   z = zeros (system.n, 1);
 %!   for t = 0.1:0.1:1
-%!     z = surface_equilibrium (system, z, t);
+%!     z = equilibrium (surface_at_rest (scene, system), t, z);
 %!   endfor
 %!   f = system.fields (z, z, z, 1);
 %!   [along, across] = elastica (force);

@@ -83,7 +83,7 @@ endfunction
 %! scene.joints{3} = struct ("kind", "force", "bodies", 1, "stations", 0.4, "value", [3, 0]);
 %! scene = check_mechanism (scene);
 %! system = mechanism_system (scene, build_mechanism (scene, mechanism_rungs (scene, 0, 1)));
-%! q = static_equilibrium (system, placed_bodies (scene, system.mechanism));
+%! q = equilibrium (mechanism_at_rest (scene, system.mechanism), 0);
 %! [x, y] = body_centreline (system.mechanism.models{1}, [0.2 0.4 0.7 1], struct ("V", q(1:3), "phi", q(4), ...
 %!                                                                                "x", q(5), "y", q(6)), 1);
 %! assert (x, [0.2 0.4 0.7 1].' + [13*0.2, 13*0.4, 5.2 + 3, 5.2 + 6].'/bar.EA, 1e-12);

@@ -28,6 +28,7 @@ function kind = mechanism_kind ()
   kind.exact = @(scene, seconds) deal ([], false);
   kind.literal = @(scene) [];
   kind.sized = @model_of_size;
+  kind.at_rest = @mechanism_at_rest;
   kind.reference = {"radau", 1e-12};
 endfunction
 

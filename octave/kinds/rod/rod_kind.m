@@ -27,6 +27,7 @@ function kind = rod_kind ()
   kind.exact = @exact_runs;
   kind.literal = @paper_sines;
   kind.sized = @(scene, n) build_model (scene, rung_of_scene (setfield (scene, "model", "modes", [n n])));
+  kind.at_rest = [];
   kind.reference = {"waveform", 1e-10};
 endfunction
 

@@ -34,8 +34,9 @@ endfunction
 %! rod = struct ("length", 1, "EA", 1e3, "EI", 0.5, "EI_normal", 2, "GJ", 1, "rhoA", 1.5);
 %! scene = struct ("surface", surface, "duration", 1, "rod", rod, "model", struct ("modes", [16 16]));
 %! scene.initial.shape = @(xi) [0.8*(xi - 0.5); 0.6*(xi - 0.5)];
-%! system = surface_rod (check_surface_scene (scene));
-%! z = surface_equilibrium (system);
+%! scene = check_surface_scene (scene);
+%! system = surface_rod (scene);
+%! z = equilibrium (surface_at_rest (scene, system), 0);
 %! f = system.fields (z, z, z, system.points);
 %! [f.alpha1_dot, f.alpha2_dot] = deal (0*f.alpha1_dot);
 %! [~, ~, n_3] = system.surface.normal (f);

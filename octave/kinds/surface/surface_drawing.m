@@ -43,13 +43,6 @@ function drawing = surface_drawing (system, scene, history)
   drawing.equations = {"surface", ["surface_" scene.surface.name]};
 endfunction
 
-## in the camera's plane, z upwards
-function [x, y] = seen (points, view)
-  x = points.y*cosd (view.azimuth) - points.x*sind (view.azimuth);
-  y = points.z*cosd (view.elevation) ...
-      - (points.x*cosd (view.azimuth) + points.y*sind (view.azimuth))*sind (view.elevation);
-endfunction
-
 ## each fifth column, x and y
 function lines = lines_of (x, y)
   lines = arrayfun (@(k) [x(:,k), y(:,k)], 1:5:columns (x), "uniformoutput", false);

@@ -26,6 +26,7 @@ function kind = surface_kind ()
   kind.exact = @(scene, seconds) deal ([], false);
   kind.literal = @(scene) [];
   kind.sized = @model_of_size;
+  kind.at_rest = @surface_at_rest;
   kind.reference = {"radau", 1e-10};
 endfunction
 

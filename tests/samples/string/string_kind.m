@@ -28,6 +28,7 @@ function kind = string_kind ()
   kind.exact = @(scene, seconds) deal ([], false);
   kind.literal = @(scene) [];
   kind.sized = @(scene, n) setfield (scene.string, "elements", n)(n <= 4);
+  kind.at_rest = [];
   kind.reference = {"ode45", 1e-10};
 endfunction
 

@@ -1,0 +1,87 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{balance} =} mechanism_at_rest (@var{scene}, @var{mechanism})
+## The balance of forces of a checked scene's @var{mechanism}, as @code{equilibrium} and @code{vibrations} take it: a
+## struct of
+##
+## @table @code
+## @item n, multipliers
+## numbers of coordinates q and of multipliers
+## @item start
+## coordinates (n-by-1) near which an equilibrium is looked for: where the bodies are placed
+## @item residual (t, q, v, lambda)
+## forces less Phi_q' lambda, and the constraints (n + multipliers by k) at a time and k states
+## @item tangent (t, q, lambda)
+## the stiffness: minus the derivative of the forces by q, and below it that of the constraints
+## @item damping (t, q, lambda)
+## minus the derivative of the forces by v at rest (n-by-n)
+## @item mass (q)
+## the mass matrix (n-by-n)
+## @item size (step)
+## the largest displacement (m) that goes with a small change of q, on rods of the length (m)
+## @item shape (q)
+## centrelines: a cell array, a body each, of [x y] (places-by-2, m)
+## @item most
+## the largest number of base functions that is of use
+## @item bodies
+## the coordinates of each body: a cell array, with names, a cellstr
+## @end table
+## @end deftypefn
+
+function balance = mechanism_at_rest (scene, mechanism)
+  system = mechanism_system (scene, mechanism);
+  balance.n = system.n;
+  balance.multipliers = system.constraint_count;
+  balance.start = placed_bodies (scene, mechanism);
+  balance.residual = @(t, q, v, lambda) residual (system, t, q, v, lambda);
+  balance.tangent = @(t, q, lambda) tangent (system, t, q, lambda);
+  balance.damping = @(t, q, lambda) -derivative (@(x) residual (system, t, q + 0*x, x, lambda), system)(1:system.n,:);
+  balance.mass = @(q) full (mechanism_matrices (mechanism, rod_dynamics (mechanism, q, 0*q)));
+  balance.size = @(step) max (abs (step)./system.q_scale);
+  balance.length = max (cellfun (@(model) model.length, mechanism.models));
+  balance.shape = @(q) shape (mechanism, q);
+  balance.most = 32;
+  for k = 1:numel (mechanism.models)
+    balance.bodies{k} = index_of (mechanism, k);
+    balance.names{k} = scene.bodies(k).name;
+  endfor
+endfunction
+
+function r = residual (system, t, q, v, lambda)
+  at = system.at (t*ones (1, columns (q)), q, v);
+  r = [at.force - system.reaction(at, repmat (lambda, 1, columns (q))); at.constraints.residual];
+endfunction
+
+function D = tangent (system, t, q, lambda)
+  D = derivative (@(x) residual (system, t, q + x, 0*x, lambda), system);
+  D(1:system.n,:) *= -1;
+endfunction
+
+## of a function of n-by-k arguments at 0, all in one call: central differences of the fourth order, whose steps move a
+## point by a ten-thousandth of the longest rod
+function D = derivative (f, system)
+  length = max (cellfun (@(model) model.length, system.mechanism.models));
+  steps = 1e-4*length*system.q_scale.';
+  along = diag (steps);
+  values = f ([along, -along, 2*along, -2*along]);
+  values = mat2cell (values, rows (values), system.n*ones (1, 4));
+  D = (8*(values{1} - values{2}) - (values{3} - values{4}))./(12*steps);
+endfunction
+
+function lines = shape (mechanism, q)
+  for k = 1:numel (mechanism.models)
+    model = mechanism.models{k};
+    own = q(index_of (mechanism, k));
+    [x, y] = body_centreline (model, linspace (0, model.length, 41), motion_of_rods (own, 0*own), 1);
+    lines{k} = [x, y];
+  endfor
+endfunction
+
+%!test # forces and constraints as the system has them; shapes are those of the bodies
+%! [system, start, scene] = sample_mechanism ([1 2]);
+%! balance = mechanism_at_rest (scene, system.mechanism);
+%! lambda = (1:balance.multipliers).';
+%! at = system.at (0.1, start.q, start.v);
+%! assert (balance.residual (0.1, start.q, start.v, 0*lambda), [at.force; at.constraints.residual], 1e-12);
+%! assert (balance.residual (0.1, start.q, start.v, lambda)(1:balance.n), at.force - system.reaction (at, lambda), 1e-12);
+%! assert (numel (balance.bodies{2}), balance.n/3); assert (size (balance.shape (start.q){3}), [41 2]);
+%! assert (balance.mass (start.q), full (system.matrices (at)), 1e-12);

@@ -1,0 +1,41 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{balance} =} surface_at_rest (@var{scene}, @var{system})
+## The balance of forces of the rod of a checked scene on its surface, whose @var{system} is of @code{surface_rod}; fields
+## as in @code{mechanism_at_rest}, of one body without multipliers, whose shape has x, y and z; and interpolation (82-by-n):
+## what the surface's coordinates are off at 41 places.
+## @end deftypefn
+
+function balance = surface_at_rest (scene, system)
+  scene.model.modes = system.numbers.modes;
+  balance.n = system.n;
+  balance.multipliers = 0;
+  balance.start = zeros (system.n, 1);
+  balance.residual = @(t, z, v, lambda) -system.residual (t*ones (1, columns (z)), z, v, 0*z);
+  balance.tangent = @(t, z, lambda) system.tangent_stiffness (t, z, 0*z, 0*z);
+  balance.damping = @(t, z, lambda) zeros (system.n);
+  balance.mass = @(z) system.mass_matrix (z);
+  balance.size = system.size;
+  balance.length = scene.rod.length;
+  stations = linspace (0, scene.rod.length, 41).';
+  balance.shape = @(z) {shape(system, system.fields (z, 0*z, 0*z, stations))};
+  b = surface_basis (scene, system.place, stations);
+  balance.interpolation = [b.values{1}; b.values{2}];
+  balance.most = 16;  # more polynomials are too much alike
+  balance.bodies = {1:system.n};
+  balance.names = {"rod"};
+endfunction
+
+function places = shape (system, fields)
+  [x, y, z] = system.surface.position (fields);
+  places = [x, y, z];
+endfunction
+
+%!test # at rest on a level plane nothing is out of balance; the middle of three polynomials stretches it
+%! scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 1, ...
+%!                 "rod", struct ("length", 2, "EA", 3, "EI", 1, "rhoA", 1), "model", struct ("modes", [3 3]));
+%! scene = check_surface_scene (scene);
+%! balance = surface_at_rest (scene, surface_rod (scene));
+%! z = balance.start;
+%! assert (balance.residual (0, z, z, []), zeros (6, 1), 1e-12);
+%! assert (balance.residual (0, 1e-5*(1:6 == 2).', z, [])(2), -3*2*1e-5, 1e-8);
+%! assert (balance.shape (z){1}([1 end],:), [0 0 0; 2 0 0], 1e-12);

@@ -1,0 +1,72 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{found} =} at_rest (@var{kind}, @var{scene}, @var{t}, @var{measure})
+## The equilibrium of a checked scene of a @var{kind} (see @code{kind_of}) under its loads at the time @var{t} (s), with
+## the modes that it states, or with 4, 8, 16 and 32 base functions of each sort until none of @var{measure} (found), a
+## row of numbers, changes by more than 1e-6 of itself, or 1e-9 of the largest.
+##
+## @var{found} is a struct of balance (see @code{mechanism_at_rest}), q, lambda and linear (see @code{equilibrium}),
+## vibrations (see @code{vibrations}), functions (how many of each sort, NaN: stated) and change, of each number by the
+## last doubling (NaN: stated, Inf: it has no one before).
+## @end deftypefn
+
+function found = at_rest (kind, scene, t, measure)
+  rung = kind.stated (scene);
+  if (! isempty (rung))
+    found = equilibrium_of (kind, scene, kind.build (scene, rung), t);
+    found.functions = NaN;
+    found.change = NaN (size (measure (found)));
+    return;
+  endif
+  last = [];
+  coarse = [];
+  for n = [4 8 16 32]
+    show_progress (sprintf ("equilibrium with %d base functions of each sort", n));
+    coarse = found = equilibrium_of (kind, scene, kind.sized (scene, n), t, coarse);
+    found.functions = n;
+    now = measure (found);
+    found.change = Inf (size (now));
+    common = 1:min (numel (now), numel (last));
+    found.change(common) = abs (now(common) - last(common))./max (abs (now(common)), 1e-3*max (abs (now)));
+    last = now;
+    if (n >= found.balance.most || found.change <= 1e-6)
+      break;
+    endif
+  endfor
+  show_progress ("");
+endfunction
+
+## near a coarser one, where there is one whose functions are among the new ones
+function found = equilibrium_of (kind, scene, model, t, coarse = [])
+  found.balance = kind.at_rest (scene, model);
+  if (! isempty (coarse) && isfield (coarse.balance, "interpolation"))
+    found.balance.start = found.balance.interpolation \ (coarse.balance.interpolation*coarse.q);
+  endif
+  [found.q, found.lambda, found.linear] = equilibrium (found.balance, t);
+  found.vibrations = vibrations (found.linear);
+endfunction
+
+%!function scene = held (varargin)   # a rod of unit length, mass and EI
+%!  scene.rod = struct ("length", 1, "EA", 1e6, "EI", 1, "rhoA", 1, "half_height", 0.005);
+%!  scene.model = struct ("modes", "auto", "energy", "uniaxial", "rotary_inertia", false);
+%!  [scene.gravity, scene.duration, scene.joints] = deal (0, 1, varargin);
+%!  scene = scene_at_rest (scene);
+%!endfunction
+%!function omega = slowest (scene, n)
+%!  scene = check_mechanism (scene);
+%!  omega = at_rest (mechanism_kind (), scene, 0, @(found) found.vibrations.omega(1:n)).vibrations.omega(1:n);
+%!endfunction
+%!test # a hinge with a spring of EI/l: its characteristic equation's roots (Hodges and Pierce 2011, Table 3.10)
+%! spring = struct ("kind", "torsion_spring", "stations", 0, "stiffness", 1);
+%! assert (slowest (held (spring), 2), [1.55729786 16.2500852], -1e-6);
+%!test # clamped and free, clamped and hinged, clamped at both ends, free at a hinge (Blevins 1979)
+%! clamp = struct ("kind", "angle", "stations", 0, "value", 0);
+%! assert (slowest (held (clamp), 3), [1.87510407 4.69409113 7.85475744].^2, -1e-6);
+%! hinge = struct ("kind", "slider", "stations", 1, "point", [0 0], "direction", 0);
+%! assert (slowest (held (clamp, hinge), 2), [3.92660231 7.06858275].^2, -1e-6);
+%! weld = struct ("kind", "angle", "stations", 1, "value", 0);
+%! assert (slowest (held (clamp, hinge, weld), 2), [4.73004074 7.85320462].^2, -1e-6);
+%! assert (slowest (held (), 3), [0, 3.92660231^2, 7.06858275^2], 1e-4);
+%!test # stated modes are taken as they are
+%! scene = setfield (held (), "bodies", {setfield(held ().bodies{1}, "model", "modes", [1 2])});
+%! found = at_rest (mechanism_kind (), check_mechanism (scene), 0, @(found) found.vibrations.omega);
+%! assert (found.functions, NaN); assert (found.change, NaN (1, 4));

@@ -1,0 +1,49 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{job} =} draw_shapes (@var{name}, @var{panels}, @var{scene}, @var{scratch})
+## Shapes of rods, a panel each, as @var{name}.svg and .png beside the folder @var{scratch}, which takes the data.  They
+## are there when @var{job} has ended (see @code{finish_tool}).  @var{panels} is a struct array of title, and of faint and
+## strong lines: cell arrays of [x y], or [x y z] as the scene's camera sees them at the start (m), all in one scale.
+## @end deftypefn
+
+function job = draw_shapes (name, panels, scene, scratch)
+  for k = 1:numel (panels)
+    panels(k).faint = cellfun (@(places) on_plane (places, scene), panels(k).faint, "uniformoutput", false);
+    panels(k).strong = cellfun (@(places) on_plane (places, scene), panels(k).strong, "uniformoutput", false);
+  endfor
+  every = vertcat ([panels.faint]{:}, [panels.strong]{:});
+  low = min (every);
+  high = max (every);
+  room = 0.08*max ([high - low, realmin]);
+  across = min (3, numel (panels));
+  settings = struct ("name", name, "title", scene.title, "titles", {{panels.title}}, ...
+                     "across", across, "down", ceil (numel (panels)/across), ...
+                     "x", [low(1) - room, high(1) + room], "y", [low(2) - room, high(2) + room]);
+  text = gnuplot_settings (settings);
+  for k = 1:numel (panels)
+    text = [text, gnuplot_block(sprintf ("faint_%d", k), panels(k).faint), ...
+            gnuplot_block(sprintf ("strong_%d", k), panels(k).strong)];
+  endfor
+  write_text (fullfile (scratch, "settings.gp"), text);
+  job = start_gnuplot (scratch, "shapes.gp");
+endfunction
+
+function places = on_plane (places, scene)
+  if (columns (places) == 3)
+    [x, y] = seen (struct ("x", places(:,1), "y", places(:,2), "z", places(:,3)), scene.view);
+    places = [x, y];
+  endif
+endfunction
+
+%!test # on a plane and in space
+%! scene = struct ("title", "A \"rod\"", "view", struct ("elevation", 20, "azimuth", 30));
+%! line = @(n) {rand(5, n), rand(5, n)};
+%! for n = [2 3]
+%!   folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
+%!   unwind_protect
+%!     panels = struct ("title", {"1: 2 Hz", "it's {2}"}, "faint", {line(n), line(n)}, "strong", {line(n), line(n)});
+%!     draw = {@(scratch) draw_shapes("modes", panels, scene, scratch)};
+%!     assert (draw_files (folder, draw, {"modes.svg", "modes.png"}), cell (0, 2));
+%!   unwind_protect_cleanup
+%!     rmdir (folder, "s");
+%!   end_unwind_protect
+%! endfor

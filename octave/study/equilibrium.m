@@ -1,0 +1,121 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{q}, @var{lambda}, @var{linear}] =} equilibrium (@var{balance}, @var{t}, @var{q})
+## Where a @var{balance} of forces (see @code{mechanism_at_rest}) holds at rest under the loads at the time @var{t} (s):
+## coordinates near @var{q} (n-by-1; default: the start), multipliers, and the equations linear about it (see
+## @code{linearised}).
+##
+## Newton's iteration that falls: of each mode of the tangent stiffness the force is divided by its modulus (Dauphin et al.
+## 2014, "saddle-free"), so that it comes to rest where the potential energy is least, but stays where nothing pulls; a
+## step moves a point by a twentieth of a rod at most, and ends before forces along it turn back by more than they were.  One that does not converge is an error.
+## @end deftypefn
+
+function [q, lambda, linear] = equilibrium (balance, t, q = balance.start)
+  n = balance.n;
+  lambda = zeros (balance.multipliers, 1);
+  smallest = Inf;
+  for sweep = 1:300
+    linear = linearised (balance, t, q, lambda);
+    r = balance.residual (t, q, 0*q, lambda);
+    onto = -inverse_of (linear.jacobian)*r(n+1:end);
+    force = linear.basis.'*(r(1:n) - linear.stiffness*onto);
+    step = onto + linear.basis*fall (linear, force);
+    metres = balance.size (step);
+    q += share_of (balance, t, q, lambda, step, min (1, 0.05*balance.length/metres))*step;
+    lambda += inverse_of (linear.jacobian).'*(r(1:n) - linear.stiffness*step);
+    if (metres < 1e-13*balance.length || (metres < 1e-8*balance.length && metres >= smallest/2))
+      return;
+    endif
+    smallest = min (smallest, metres);
+  endfor
+  error ("toolchain:scene", ["no equilibrium was found in 300 steps: the last one moved a point by %.2g m; place" ...
+                             " the bodies nearer to it, or take smaller loads\n"], metres);
+endfunction
+
+## of a step: until the forces along it turn back
+function share = share_of (balance, t, q, lambda, step, share)
+  along = @(share) step.'*balance.residual (t, q + share*step, 0*q, lambda)(1:balance.n);
+  pull = along (0);
+  for halving = 1:20
+    if (along (share) >= -0.5*abs (pull))
+      return;
+    endif
+    share /= 2;
+  endfor
+endfunction
+
+## also where there are no constraints, of which pinv gets the sizes wrong
+function inverse = inverse_of (jacobian)
+  inverse = zeros (columns (jacobian), rows (jacobian));
+  if (! isempty (jacobian))
+    inverse = pinv (jacobian);
+  endif
+endfunction
+
+## what nothing holds is moved by what accelerates it by more than 1e-9 m/s^2
+function y = fall (linear, force)
+  [modes, squares] = eig ((linear.K + linear.K.')/2, (linear.M + linear.M.')/2, "chol");
+  squares = abs (diag (squares));
+  pull = modes.'*force;
+  least = max ([1e-13*squares; 1e-12]);
+  pull(squares < least & abs (pull) < 1e-9*sqrt (norm (linear.M))) = 0;
+  y = modes*(pull./max (squares, least));
+endfunction
+
+%!function balance = pendulum (angle, varargin)   # rigid, 2 m
+%!  scene.bodies = {struct("rod", struct ("length", 2, "EA", 1, "EI", 1, "rhoA", 3), "model", ...
+%!                         struct ("modes", [0 0], "rotary_inertia", false), "initial", struct ("phi", angle))};
+%!  scene.joints = [{struct("kind", "revolute", "bodies", 1, "stations", 0)}, varargin];
+%!  scene.duration = 1;
+%!  scene = check_mechanism (scene);
+%!  balance = mechanism_at_rest (scene, build_mechanism (scene, mechanism_rungs (scene, 0)));
+%!endfunction
+%!test # from the side it falls until it hangs, upright it stands; the hinge bears its weight
+%! [q, lambda] = equilibrium (pendulum (0), 0);
+%! assert (q(1), -pi/2, 1e-9); assert (lambda, [0; -6*9.81], 1e-7);
+%! [q, ~, linear] = equilibrium (pendulum (pi/2), 0);
+%! assert (q(1), pi/2, 1e-9); assert (linear.K < 0);
+%!test # a moment at its hinge holds it aslant: M = m g l/2 cos (phi)
+%! moment = struct ("kind", "moment", "bodies", 1, "stations", 0, "value", 6*9.81*cosd (60));
+%! assert (equilibrium (pendulum (-0.5, moment), 0)(1), -pi/3, 1e-9);
+%!error <no equilibrium was found in 300 steps> # one that is too large turns it round and round
+%! equilibrium (pendulum (-0.5, struct ("kind", "moment", "bodies", 1, "stations", 0, "value", 60)), 0);
+%!function [q, lambda, system, F] = arch ()   # two rods of slope 3:4 on pins, their weight, and a force on the apex
+%!  F = 50;
+%!  rod = struct ("length", 1, "EA", 1e8, "EI", 2e4, "rhoA", 2);
+%!  body = struct ("rod", rod, "model", struct ("modes", "auto", "rotary_inertia", false, "energy", "uniaxial"));
+%!  alpha = atan2 (3, 4);
+%!  scene.bodies = {setfield(body, "initial", struct ("phi", alpha)), ...
+%!                  setfield(body, "initial", struct ("phi", pi - alpha, "x", 1.6, "y", 0))};
+%!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), ...
+%!                  struct("kind", "revolute", "bodies", 2, "stations", 0, "point", [1.6 0]), ...
+%!                  struct("kind", "revolute", "bodies", [1 2], "stations", [1 1]), ...
+%!                  struct("kind", "force", "bodies", 1, "stations", 1, "value", [0 -F])};
+%!  scene.duration = 1;
+%!  scene = check_mechanism (scene);
+%!  system = mechanism_system (scene, build_mechanism (scene, mechanism_rungs (scene, [8 8], [1 1])));
+%!  [q, lambda] = equilibrium (mechanism_at_rest (scene, system.mechanism), 0);
+%!endfunction
+%!test # reactions and deflections of a two-rod arch: closed form of small deflections
+%! [q, lambda, system, F] = arch ();
+%! [mg, c, s] = deal (2*9.81, 0.8, 0.6);
+%! [up, across] = deal (F/2 + mg, (F/2 + mg/2)*c/s);  # of each support
+%! assert (-lambda(1:2), [across; up], 1e-4*up);
+%! assert (-lambda(3:4), [-across; up], 1e-4*up);
+%! N = across*c + (F/2 + mg/2)*s;  # mean thrust
+%! at = markers_of_states (system.mechanism, q, 0*q);
+%! drop = 0.6 - at.y(system.mechanism.marker_of(3,1));
+%! assert (drop, N/(1e8*s), 1e-3*drop);
+%! i = index_of (system.mechanism, 1);
+%! middle = functions_at (system.mechanism.models{1}.base, 0.5);
+%! [~, bent] = functions_at (system.mechanism.models{1}.base, 0.5);
+%! assert (bent*q(i(1:10)), -5*mg*c/(384*2e4), 1e-3*5*mg*c/(384*2e4));
+%!test # a hanging elastic line: stretched by its own weight as the strain (g - 1)/2 says
+%! scene = struct ("surface", struct ("name", "plane", "inclination", pi/2), "duration", 1, ...
+%!                 "ends", {{"hinge", "free"}}, "rod", struct ("length", 1, "EA", 1e4, "EI", 1, "rhoA", 1), ...
+%!                 "model", struct ("modes", [3 6]));
+%! scene.initial.angle = -pi/2;
+%! scene = check_surface_scene (scene);
+%! system = surface_rod (scene);
+%! z = equilibrium (surface_at_rest (scene, system), 0);
+%! tip = system.fields (z, z, z, 1).alpha2;
+%! assert (-tip - 1, 9.81/1e4/2, 1e-6);

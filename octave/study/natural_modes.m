@@ -1,0 +1,100 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{table} =} natural_modes (@var{scene}, @var{option}, @var{value}, @dots{})
+## Natural frequencies and modes of a scene of any kind about the equilibrium that it comes to under its loads at t = 0 (see
+## @code{at_rest}), the slowest twelve: what a hub or a joint prescribes stays as it is then.  Arguments as for @code{driver};
+## without stated modes there are as many base functions as six digits take.
+##
+## Leaves modes.csv, modes.svg and modes.png (the slowest six, both ways) in the folder of the scene's output.
+## @var{table} is a struct array of mode, f (Hz), omega (rad/s), damping (ratio), growth (1/s, of what does not oscillate),
+## change (of omega when the base functions were doubled, relative) and share (of the kinetic energy, of each body).
+## @end deftypefn
+
+function table = natural_modes (scene = "paper", varargin)
+  [scene, kind, output] = study_scene (scene, varargin, @scene_at_rest);
+  found = at_rest (kind, scene, 0, @(found) found.vibrations.omega(1:min (end, 12)));
+  rows = mode_rows (found);
+  print_rows (rows, found);
+  publish_study (output, {"modes.csv"}, {"modes.svg", "modes.png"}, ...
+                 @(aside) write_modes (rows, found.balance.names, aside), ...
+                 @(scratch) draw_shapes ("modes", mode_panels (rows, found), scene, scratch));
+  if (nargout > 0)
+    table = rows;
+  endif
+endfunction
+
+function rows = mode_rows (found)
+  rows = struct ([]);
+  modes = found.vibrations;
+  for k = 1:numel (found.change)
+    shape = found.linear.basis*modes.shape(:,k);
+    energies = shape.*(found.linear.mass*shape);
+    share = cellfun (@(body) sum (energies(body)), found.balance.bodies)/sum (energies);
+    rows(k) = struct ("mode", k, "f", modes.omega(k)/(2*pi), "omega", modes.omega(k), "damping", modes.damping(k), ...
+                      "growth", modes.rate(k), "change", found.change(k), "share", share);
+  endfor
+endfunction
+
+function print_rows (rows, found)
+  if (isnan (found.functions))
+    say ("  of the stated modes");
+  else
+    say ("  of %d base functions of each sort", found.functions);
+  endif
+  for row = rows
+    printf ("  %3d %14.8g Hz %14.8g rad/s  damping ratio %-8.3g %s\n", row.mode, row.f, row.omega, row.damping, ...
+            kind_text (row));
+  endfor
+endfunction
+
+function text = kind_text (row)
+  text = "";
+  if (isfinite (row.change))
+    text = sprintf ("changed by %.1g", row.change);
+  endif
+  if (row.growth > 0)
+    text = sprintf ("unstable: grows by exp (%.4g t)", row.growth);
+  elseif (row.omega == 0)
+    text = "nothing brings it back";
+  elseif (row.damping < -1e-12)
+    text = "unstable: it oscillates and grows";
+  endif
+endfunction
+
+## the slowest six, by an eighth of the picture to both sides
+function panels = mode_panels (rows, found)
+  shape = @(step) found.balance.shape (found.q + step);
+  rest = shape (0);
+  extent = max ([range(vertcat (rest{:})), 1e-3*found.balance.length]);
+  panels = struct ([]);
+  for row = rows(1:min (end, 6))
+    step = found.linear.basis*found.vibrations.shape(:,row.mode);
+    step *= 1e-4*found.balance.length/found.balance.size (step);
+    way = cellfun (@minus, shape (step), shape (-step), "uniformoutput", false);
+    large = extent/8/max (norm (vertcat (way{:}), "rows"));
+    moved = @(sign) cellfun (@(places, one) places + sign*large*one, rest, way, "uniformoutput", false);
+    panels(end+1) = struct ("title", title_of (row), "faint", {[rest, moved(-1)]}, "strong", {moved(1)});
+  endfor
+endfunction
+
+function title = title_of (row)
+  title = sprintf ("%d: %.4g Hz", row.mode, row.f);
+  if (row.growth > 0)
+    title = sprintf ("%d: unstable", row.mode);
+  endif
+endfunction
+
+%!error <cannot be made|can be written> natural_modes ("paper", "output", "/proc/nowhere")
+%!test # a rod swings about its hinge, and bends; table and pictures are there
+%! folder = tempname (); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   said = evalc ("table = natural_modes ('slender', 'output', folder);");
+%!   assert (table(1).omega, sqrt (1.5*9.81), -0.01);  # nearly that of a rigid one of 1 m
+%!   assert ([table(1:3).change] <= 1e-5); assert (table(2).share, 1, 1e-12);
+%!   lines = strsplit (strtrim (fileread (fullfile (folder, "modes.csv"))), "\n");
+%!   assert (lines{1}, "mode,f [Hz],omega [rad/s],damping ratio,growth [1/s],change,share of body 1");
+%!   assert (str2double (strsplit (lines{3}, ","){3}), table(2).omega, -1e-15);
+%!   assert (stat (fullfile (folder, "modes.png")).size > 10000);
+%!   assert (! isempty (regexp (said, sprintf ("%.8g Hz", table(2).f))));
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect

@@ -1,0 +1,71 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{modes} =} vibrations (@var{linear})
+## The natural vibrations of linear equations M y'' + C y' + K y = 0 (see @code{linearised}), from slow to fast: a struct
+## of omega (rad/s, of the undamped ones; 1-by-p), damping (the ratio; negative where it grows), rate (1/s: with which what does not
+## oscillate grows, else 0) and shape (p-by-p, real, of unit kinetic energy).
+##
+## Without damping they are those of the symmetric problem, whose slowest have full relative accuracy (its inverse is
+## solved); a follower load or damping takes the eigenvalues of the first order system.
+## @end deftypefn
+
+function modes = vibrations (linear)
+  M = (linear.M + linear.M.')/2;
+  skew = max (max (abs (linear.K - linear.K.')))/max (max (abs (linear.K(:))), realmin);
+  if (any (linear.C(:)) || skew > 1e-7)
+    modes = complex_modes (M, linear.C, linear.K);
+  else
+    modes = real_modes (M, (linear.K + linear.K.')/2);
+  endif
+  modes.shape ./= sqrt (sum (modes.shape.*(M*modes.shape), 1));
+  [~, order] = sort (modes.omega);
+  for name = {"omega", "damping", "rate", "shape"}
+    modes.(name{1}) = modes.(name{1})(:,order);
+  endfor
+endfunction
+
+## 1/(omega^2 + shift) are the eigenvalues of M by K + shift M
+function modes = real_modes (M, K)
+  least = min ([real(eig (K, M)); 0]);
+  largest = max (abs (eig (K, M)));
+  shift = -2*least + 1e-9*largest*(least <= 1e-12*largest);
+  [modes.shape, inverse] = eig (M, K + shift*M);
+  squares = 1./diag (inverse).' - shift;
+  squares(abs (squares) < 1e-10*shift) = 0;
+  modes.omega = sqrt (max (squares, 0));
+  modes.rate = sqrt (max (-squares, 0));
+  modes.damping = 0*squares;
+endfunction
+
+## pairs -zeta omega +- i omega sqrt (1 - zeta^2), and what does not oscillate
+function modes = complex_modes (M, C, K)
+  p = rows (M);
+  R = chol (M);
+  unit = sqrt (max (norm (R.' \ K / R), realmin));
+  A = [zeros(p), unit*eye(p); -(R.' \ K / R)/unit, -(R.' \ C / R)];
+  [vectors, values] = eig (A);
+  values = diag (values).';
+  kept = find (imag (values) > 1e-9*unit | (abs (imag (values)) <= 1e-9*unit & real (values) >= -1e-9*unit));
+  slow = find (abs (imag (values)) <= 1e-9*unit & real (values) < -1e-9*unit);  # creeps: the slower of two
+  [~, order] = sort (-real (values(slow)));
+  kept = [kept, slow(order)](1:min (end, p));
+  values = values(kept);
+  modes.omega = abs (values).*(imag (values) > 1e-9*unit);
+  modes.damping = -real (values)./max (abs (values), realmin).*(imag (values) > 1e-9*unit);
+  modes.rate = max (real (values), 0).*(imag (values) <= 1e-9*unit);
+  modes.shape = real (R \ vectors(1:p,kept)./exp (1i*arg (sum (vectors(1:p,kept).^2, 1))/2));
+endfunction
+
+%!test # two masses: full accuracy of the slow one beside a stiff spring, and a rigid motion
+%! linear = struct ("M", eye (3), "C", zeros (3), "K", diag ([1e14 4 0]));
+%! modes = vibrations (linear);
+%! assert (modes.omega([1 2]), [0 2], 1e-9); assert (modes.omega(3), 1e7, 1);
+%!test # damped by a tenth of the critical: omega stays, the ratio is 0.1; growth of what stands upright
+%! modes = vibrations (struct ("M", 2, "C", 2*0.1*2*3, "K", 2*9));
+%! assert ([modes.omega, modes.damping, modes.rate], [3 0.1 0], 1e-12);
+%! modes = vibrations (struct ("M", 2, "C", 0, "K", -2*9));
+%! assert ([modes.omega, modes.damping, modes.rate], [0 0 3], 1e-12);
+%!test # a follower load couples two modes: Ziegler's flutter grows
+%! linear = struct ("M", [3 1; 1 1], "C", zeros (2), "K", [2 -1; -1 1] - 2.2*[1 -1; 0 0]);
+%! modes = vibrations (linear);
+%! values = eig ([zeros(2), eye(2); -linear.M\linear.K, zeros(2)]);
+%! assert (max (-modes.damping.*modes.omega), max (real (values)), 1e-10);
