@@ -73,3 +73,9 @@ endfunction
 %! assert (row.error_m < 1e-3 && ! row.extrapolated); assert (row.failure, ""); assert (row.drift, NaN);
 %! row = point (1e-4, 0.1);
 %! assert (row.extrapolated && row.error_m < 1e-6);
+%! ## calls of the whole, also where it took a part; a scene's step is for what has equal steps
+%! assert (row.calls, 4*0.2/1e-4, -0.01); assert (point (1e-3, 20).calls, 4*0.2/1e-3);
+%! ode45 = integrator_table ()(strcmp ({integrator_table().name}, "ode45"));
+%! stepped = setfield (scene, "solver", "step", 0.01);
+%! row = precision_point (rod_kind (), stepped, model, ode45, 1e-5, reference, 20);
+%! assert (row.error_m <= 1e-5); assert ({row.method, row.parameter, row.failure}, {"ode45", 1e-5, ""});
