@@ -28,7 +28,8 @@ endfunction
 %!test # their values and units
 %! history = sample_history (3);
 %! strips = rod_strips (history, [0 1 2], 1);
-%! assert ({strips.values}, {rad2deg(history.phi), history.phi_dot, [0 1 2]}); assert ({strips.unit}, {"°", "rad/s", "N m"});
+%! assert ({strips.values}, {rad2deg(history.phi), history.phi_dot, [0 1 2]});
+%! assert ({strips.unit}, {"°", "rad/s", "N m"});
 %! across = nthargout (2, @tip_deflection, history, 1);
 %! assert (rod_strips (history, [0 0 0], 1)(3).values, across);
 %! history.V = zeros (0, 3);

@@ -39,7 +39,7 @@ endfunction
 %! scene = check_mechanism (setfield (setfield (chain (1), "duration", 0.2), "frames_per_second", 20));
 %! rows = cost_of_size (mechanism_kind (), scene, [1 4]);
 %! assert (rows(2,3) > rows(1,3));
-%!function rows = with_clock (sizes, seconds)   # of a quarter of 4 s and a frame of 0.04 s, calls 3 per s, so many seconds a run
+%!function rows = with_clock (sizes, seconds)   # of so many seconds and of calls for a quarter of 4 s
 %!  body = sprintf ("states = []; count = struct ('seconds', %g, 'calls', 3*times(end)^2);", seconds);
 %!  stand_ins = {"[states, count] = integrate", "system, times, solver", body};
 %!  kind = struct ("sized", @(scene, n) n(n != 2), "system", @(scene, model) model);

@@ -139,7 +139,8 @@ endfunction
 %! assert (q, [0; 0; 0; 0; 1; 0; 0; 1; 0]); assert (v, [2; 0; 0; 0; 7; 0; 0; 0; 2]);
 %!test # a place that is prescribed, and its rate, put a rod's point there, whichever side of the joint it is on
 %! rod = struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1);
-%! scene.bodies = {struct("rod", rod, "model", struct ("modes", [0 0]), "initial", struct ("phi", pi/2, "phi_dot", 2))};
+%! scene.bodies = {struct("rod", rod, "model", struct ("modes", [0 0]), "initial", struct ("phi", pi/2, ...
+%!   "phi_dot", 2))};
 %! scene.joints = {struct("kind", "position", "bodies", 1, "stations", 0.5, "point", [3 0], ...
 %!                        "value", @(t) [0.2+t 0.1; 1 5; 0 0])};
 %! scene.duration = 1;

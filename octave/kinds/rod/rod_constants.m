@@ -36,7 +36,8 @@ endfunction
 %! scene = setfield (damped (), "force", @(t) [3 5]);
 %! scene.force_station = 0.25;
 %! scene = check_scene (scene);
-%! rung = struct ("sines", [], "bending", 1, "longitudinal", 0, "axial", "quasistatic", "stiffening", "foreshortening");
+%! rung = struct ("sines", [], "bending", 1, "longitudinal", 0, "axial", "quasistatic", "stiffening", ...
+%!   "foreshortening");
 %! model = build_model (scene, rung);
 %! constants = rod_constants (scene, model);
 %! assert (constants.interval, [0, scene.duration]); assert (constants.gravity, scene.gravity);

@@ -160,7 +160,8 @@ endfunction
 %! html = report_of (drawing, @fileread);
 %! seconds = sprintf ("%.3g s", range (drawing.time));
 %! labels = @(panels) strjoin ({panels.label}, ", ");
-%! for text = {["Animation of Rod with a half wave: 1 bodies move for " seconds "; the deformation is drawn 300 times."]
+%! animation = "Animation of Rod with a half wave: 1 bodies move for %s; the deformation is drawn 300 times.";
+%! for text = {sprintf(animation, seconds)
 %!             ["Over time: " labels(drawing.strips)]; ["Over time: " labels(drawing.panels) "."]
 %!             ["The bodies at even times over " seconds]; ["Over " seconds ": " labels(drawing.panels)]
 %!             "<p>Derived by Maxima.</p>"; "a &lt; b"}.'
