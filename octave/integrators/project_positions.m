@@ -30,3 +30,22 @@ endfunction
 %! system.at = @(t, q, v) struct ("constraints", struct ("residual", q.'*q - 1), "q", q);
 %! system.matrices = @(at) deal (speye (2), sparse (2*at.q.'));
 %! assert (project_positions (system, 0, [3; 4]), [0.6; 0.8], 1e-10);
+%!function at = remembered (seen, q)
+%!  seen(seen.Count + 1) = q;
+%!  at = struct ("constraints", struct ("residual", q.'*q - 1), "q", q);
+%!endfunction
+%!test # by half a metre at most in a step, and quadratically at the end
+%! seen = containers.Map ("KeyType", "double", "ValueType", "any");
+%! system = struct ("q_scale", [1; 1], "at", @(t, q, v) remembered (seen, q));
+%! system.matrices = @(at) deal (speye (2), sparse (2*at.q.'));
+%! [q, residual] = project_positions (system, 0, [3; 4]);
+%! ways = diff (cell2mat (seen.values ()), 1, 2);
+%! assert (abs (ways) <= 0.5*(1 + 1e-12)); assert (max (abs (ways(:,1:3))), [0.5 0.5 0.5], 1e-12);
+%! assert (seen.Count <= 13); assert (residual < 1e-11);
+%!test # what is stiff is moved less: along 3 N/m as by a mass of 1 + 3 s^2
+%! system = struct ("q_scale", [10; 10], "stiffness", sparse ([3 0; 0 0]));
+%! system.at = @(t, q, v) struct ("constraints", struct ("residual", q(1) + q(2) - 1));
+%! system.matrices = @(at) deal (speye (2), sparse ([1 1]));
+%! for seconds = [0 1 2]
+%!   assert (project_positions (system, 0, [0; 0], seconds), [1; 1 + 3*seconds^2]/(2 + 3*seconds^2), 1e-12);
+%! endfor

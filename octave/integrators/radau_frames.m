@@ -54,5 +54,8 @@ endfunction
 %! states = integrate_radau (system, [0 0.0137 0.05], start, struct ("tolerance", 1e-4));
 %! finer = integrate_radau (system, [0 0.0137], start, struct ("tolerance", 1e-8));
 %! assert (states.q(:,2), finer.q(:,2), 2e-4);
+%! assert ([states.W(2), states.D(2)], [finer.W(2), finer.D(2)], -1e-3); assert (states.D(2) > 0);
+%! assert (states.v(:,2), finer.v(:,2), 1e-2*norm (finer.v(:,2)));
+%! assert (states.lambda(:,2), finer.lambda(:,2), 1e-2*norm (finer.lambda(:,2)));
 %! at = system.at (0.0137, states.q(:,2), states.v(:,2));
 %! assert (abs (at.constraints.residual) < 1e-10); assert (abs (at.constraints.velocity) < 1e-8);

@@ -35,6 +35,7 @@ endfunction
 %! assert (full (A), [6 -2 0 2; 1 10 2 0; 4 0 0 0; 0 2 0 0]);
 %!test # and a spring of 5 N/m with a damper of 2 N s/m, whose row is unit/(h k + d) = 4/9 times its tension's
 %! springs = struct ("stiffness", 5, "damping", 2);
-%! [A, unit, compliance] = radau_matrix (3, 0.5, sparse (2), sparse (1), sparse (4), sparse (0, 1), sparse (3), springs);
+%! [A, unit, compliance] = radau_matrix (3, 0.5, sparse (2), sparse (1), sparse (4), sparse (0, 1), sparse (3), ...
+%!   springs);
 %! assert (unit, 2); assert (compliance, 4/9, 1e-15);
 %! assert (full (A), [6 -2 0; 1 10 6; -4/9*5*3, -4/9*2*3, 2*4/9], 1e-14);

@@ -45,3 +45,27 @@ endfunction
 %!test in_scratch (@(folder, scratch) check_files (sample_drawing (30), folder, scratch));
 %!test # a single frame
 %! in_scratch (@(folder, scratch) check_files (sample_drawing (1), folder, scratch));
+%!function text = settings_of (drawing, scratch)
+%!  finish_tool (draw_figure3 (drawing, scratch));
+%!  text = fileread (fullfile (scratch, "settings.gp"));
+%!endfunction
+%!test # thirteen even times with their outlines and rests, from the first frame to the last
+%! drawing = sample_drawing (25);
+%! text = in_scratch (@(folder, scratch) settings_of (drawing, scratch));
+%! value = @(name) str2num (regexp (text, ['(?<=\n)' name ' = ([^\n]*)'], "tokens", "once"){1});
+%! assert (value ("outlines"), 13); assert (value ("array times\\[13\\]"), drawing.time(1:2:25), 1e-9);
+%! assert ([value("t_low"), value("t_high")], drawing.time([1 end]), 1e-9);
+%! assert (! isempty (strfind (text, sprintf ("duration = '%.4g s'\n", range (drawing.time)))));
+%! blocks = @(name) strsplit (regexp (text, ['\$' name ' << END\n(.*?)\nEND'], "tokens", "once"){1}, "\n\n\n");
+%! rests = blocks ("rests");
+%! assert (numel (rests), 13); assert (numel (blocks ("outlines")), 13);
+%! assert (str2num (rests{13}), [drawing.bodies.rest_x(:,25), drawing.bodies.rest_y(:,25)], 1e-6);
+%! outline = str2num (blocks ("outlines"){2});
+%! half_height = max (0.015, 1.5*fit_camera (drawing, [790 690]).pixel);
+%! middle = (outline(1:41,:) + flipud (outline(42:82,:)))/2;
+%! assert (middle, [drawing.bodies.x(:,3), drawing.bodies.y(:,3)], 1e-6);
+%! assert (hypot (outline(1,1) - middle(1,1), outline(1,2) - middle(1,2)), half_height, 1e-6);
+%! assert (numel (regexp (blocks ("pins"){1}, '\n\n')), 12);
+%! text = in_scratch (@(folder, scratch) settings_of (sample_drawing (1), scratch));
+%! shown = regexp (text, 't_low = (\S+)\nt_high = (\S+)\n', "tokens", "once");
+%! assert (diff (cellfun (@str2double, shown)), 1/50, 1e-9);  # as long as a frame is shown

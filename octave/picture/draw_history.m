@@ -88,7 +88,8 @@ endfunction
 %!                              "longest_name = 14"});
 %! hold_lines (files.panel_1, {sprintf("label = '%s'", scaled_panel (drawing.panels(1)))});
 %! data = str2num (regexp (files.panel_1, '<< END\n(.*?)\nEND', "tokens", "once"){1});
-%! assert (data(:,1).', drawing.time, 1e-6); assert (data(:,2:end).', nthargout (2, @scaled_panel, drawing.panels(1)), -1e-6);
+%! assert (data(:,1).', drawing.time, 1e-6);
+%! assert (data(:,2:end).', nthargout (2, @scaled_panel, drawing.panels(1)), -1e-6);
 %! drawing.spectrum = struct ("label", "spectrum of the tip", "unit", "m", "names", {{"tip"}}, "frequency", 1:50, ...
 %!                            "values", 2e-3./(1:50), "predicted", [7 30], "note", "sampled at 100 Hz");
 %! files = in_scratch (@(folder, scratch) files_of (drawing, scratch));

@@ -64,7 +64,8 @@ endfunction
 %! assert (pieces(:,1:2), [x, y](1:40,:), 1e-6); assert (pieces(:,1:2) + pieces(:,3:4), [x, y]([3:41, 41],:), 1e-6);
 %! assert (pieces(:,5), body_stress (drawing.bodies){1}(1:40,2), 1e-6*max (pieces(:,5)));
 %! assert (numel (strfind (text, "$rest << END")), 1); assert (numel (strfind (text, "$outline << END")), 1);
-%! place = cellfun (@(end_of) str2double (regexp (text, ["moment_place_" end_of " = (\\S+)"], "tokens", "once"){1}), ...
+%! place = cellfun (@(end_of) str2double (regexp (text, ["moment_place_" end_of " = (\\S+)"], "tokens", ...
+%!   "once"){1}), ...
 %!                  {"low", "high"});
 %! middle = [mean(drawing.bodies.rest_x(:,2)), mean(drawing.bodies.rest_y(:,2))];
 %! assert (place*middle.' < 0);  # O is the origin: the label is on the side that the rod is not

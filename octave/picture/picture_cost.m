@@ -17,3 +17,8 @@ endfunction
 %! [seconds, bytes] = picture_cost (180001, [1280 720]);
 %! assert (seconds*nproc (), 180001/91*(2.9 + 2.5*max (1, nproc ()/2)), 1e-6*seconds); assert (bytes, 17.2e9, 0.1e9);
 %! assert (picture_cost (100, [2560 1440]), 4*picture_cost (100, [1280 720]), 1e-9);
+%!function on_eight ()
+%!  assert (picture_cost (91, [1280 720]), 2.9/8 + 2.5/2, 1e-12);
+%!endfunction
+%!test # of eight processors frames take all, and the film two
+%! with_stand_ins ({"count = nproc", "varargin", "count = 8;"}, @on_eight);

@@ -28,3 +28,11 @@ endfunction
 %! history.V = zeros (0, 10);
 %! history.V_names = {};
 %! assert (numel (rod_panels (history, 1)), 3);
+%!test # angles in degrees, the tip, and the modes as they are
+%! history = sample_history (10);
+%! panels = rod_panels (history, 1);
+%! assert (panels(1).values, rad2deg ([history.phi; history.psi]), 1e-12);
+%! [along, across] = tip_deflection (history, 1);
+%! assert (panels(2).values, [along; across]); assert (panels(3).values(1,:), history.V(3,:));
+%! assert ({panels.label}, {"angles", "tip from tangent", "largest modes", "energies", "energy balance"});
+%! assert ({panels.unit}, {"°", "m", "m", "J", "J"});

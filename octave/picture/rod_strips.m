@@ -25,3 +25,12 @@ endfunction
 %! history = setfield (setfield (sample_history (3), "psi", [0 0 0]), "tip_x", [1 1.1 1.2]);
 %! history.tip_y = [0 0 0];
 %! assert (rod_strips (history, [0 0 0], 1)(3).values, [0 0.1 0.2], 1e-12);
+%!test # their values and units
+%! history = sample_history (3);
+%! strips = rod_strips (history, [0 1 2], 1);
+%! assert ({strips.values}, {rad2deg(history.phi), history.phi_dot, [0 1 2]});
+%! assert ({strips.unit}, {"°", "rad/s", "N m"});
+%! across = nthargout (2, @tip_deflection, history, 1);
+%! assert (rod_strips (history, [0 0 0], 1)(3).values, across);
+%! history.V = zeros (0, 3);
+%! assert (numel (rod_strips (history, [0 0 0], 1)), 2);

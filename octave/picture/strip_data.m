@@ -80,6 +80,7 @@ endfunction
 %!   assert (diff (padded_range (values))/steps(k) <= 5*(1 + 1e-9) && diff (padded_range (values))/steps(k) > 2);
 %! endfor
 %! history = str2num (regexp (text, '<< END\n(.*?)\nEND', "tokens", "once"){1});
-%! assert (history(:,1).', drawing.time, 1e-6); assert (history(:,2:1+rows(first)).', first, 1e-5*max (abs (first(:))));
+%! assert (history(:,1).', drawing.time, 1e-6);
+%! assert (history(:,2:1+rows(first)).', first, 1e-5*max (abs (first(:))));
 %! assert (! isempty (regexp (text, "^strips = 3$", "once", "lineanchors")));
 %! assert (! isempty (regexp (text, "^stride = 1$", "once", "lineanchors")));

@@ -25,3 +25,12 @@ endfunction
 %!test # no values
 %! [~, name] = unit_prefix (zeros (0, 3), "J");
 %! assert (name, "J");
+%!test # each prefix begins at its own power, and the ends go on
+%! for k = 1:8
+%!   prefix = {"p", "n", "µ", "m", "", "k", "M", "G"}{k};
+%!   for factor = [1.001 999]
+%!     [scale, name] = unit_prefix ([0, -factor*1000^(k-5)], "m");
+%!     assert (scale, 1000^(k - 5), -1e-12); assert (name, [prefix "m"]);
+%!   endfor
+%! endfor
+%! assert (nthargout (2, @unit_prefix, 1e-14, "m"), "pm"); assert (nthargout (2, @unit_prefix, 5e14, "m"), "Gm");

@@ -59,3 +59,5 @@ endfunction
 %!error <^a is -1: it takes positive number> take_fields (struct ("a", -1), {"a", 1, "positive number"}, "a scene")
 %!error <^bodies\(2\).a is -1: it takes> take_fields (struct ("a", -1), {"a", 1, "positive number"}, "bodies(2)")
 %!error <^b is a double: it takes a struct> take_fields (struct ("b", 3), {"b.c", 3, "number"}, "a scene")
+%!error <^bc is not a field of a scene: those are b.c>
+%! take_fields (struct ("bc", struct ("c", 3)), {"b.c", 3, "number"}, "a scene")

@@ -33,3 +33,6 @@ function seconds = time_of (call, n)
 endfunction
 
 %!assert (size (call_times ()), [1 2])
+%!test # what is printed is the ratio of what is printed
+%! times = sscanf (evalc ("call_times ();"), "general %g s, literal %g s a call: %g times faster");
+%! assert (times(3), times(2)/times(1), -0.1);

@@ -115,3 +115,7 @@ endfunction
 %! assert (row.calls, 4*200);
 %! row = point (1e-5, 0.1);
 %! assert (row.error_m < 1e-6 && row.part < 1); assert (row.calls, 4*0.2/1e-5, -0.1);
+%! ode45 = integrator_table ()(strcmp ({integrator_table().name}, "ode45"));
+%! stepped = setfield (scene, "solver", "step", 0.01);
+%! row = precision_point (rod_kind (), stepped, model, ode45, 1e-5, reference, 20);
+%! assert (row.error_m <= 1e-5); assert ({row.method, row.parameter, row.failure}, {"ode45", 1e-5, ""});

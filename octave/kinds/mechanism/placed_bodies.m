@@ -137,3 +137,20 @@ endfunction
 %! scene = check_mechanism (scene);
 %! [q, v] = placed_bodies (scene, build_mechanism (scene, mechanism_rungs (scene, [0 0 0])));
 %! assert (q, [0; 0; 0; 0; 1; 0; 0; 1; 0]); assert (v, [2; 0; 0; 0; 7; 0; 0; 0; 2]);
+%!test # a place that is prescribed, and its rate, put a rod's point there, whichever side of the joint it is on
+%! rod = struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1);
+%! scene.bodies = {struct("rod", rod, "model", struct ("modes", [0 0]), "initial", struct ("phi", pi/2, ...
+%!   "phi_dot", 2))};
+%! scene.joints = {struct("kind", "position", "bodies", 1, "stations", 0.5, "point", [3 0], ...
+%!                        "value", @(t) [0.2+t 0.1; 1 5; 0 0])};
+%! scene.duration = 1;
+%! scene = check_mechanism (scene);
+%! [q, v] = placed_bodies (scene, build_mechanism (scene, mechanism_rungs (scene, 0)));
+%! assert (q, [pi/2; 3.2; -0.4], 1e-12); assert (v, [2; 1 + 1; 5], 1e-12);
+%! scene = struct ("duration", 1, "bodies", {{struct("rod", rod, "model", struct ("modes", [0 0])), ...
+%!                                            struct("rod", rod, "model", struct ("modes", [0 0]))}});
+%! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), ...
+%!                 struct("kind", "position", "bodies", [1 2], "stations", [1 0], "value", @(t) [0.2 0.1; 3 4; 0 0])};
+%! scene = check_mechanism (scene);
+%! [q, v] = placed_bodies (scene, build_mechanism (scene, mechanism_rungs (scene, [0 0])));
+%! assert (q, [0; 0; 0; 0; 0.8; -0.1], 1e-12); assert (v, [0; 0; 0; 0; -3; -4], 1e-12);

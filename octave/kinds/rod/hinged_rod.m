@@ -85,7 +85,8 @@ endfunction
 %! scene = check_scene (setfield (damped (), "model", "modes", [1 2]));
 %! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
 %! assert (system.damping_matrix, scene.rod.damping*system.stiffness, 1e-9*norm (system.damping_matrix));
-%! assert (system.initial_state(system.energy_rows), [0; 0]); assert (system.energy_rows, numel (system.initial_state) - [1 0]);
+%! assert (system.initial_state(system.energy_rows), [0; 0]);
+%! assert (system.energy_rows, numel (system.initial_state) - [1 0]);
 %! assert (system.duration, scene.duration); assert (system.gravity, scene.gravity); assert (system.warnings, {});
 %! assert (! system.turned);  # the paper's sines
 %! turned = setfield (paper (), "initial", struct ("phi", 1, "phi_dot", 3));

@@ -33,3 +33,20 @@ endfunction
 %! constants = rod_constants (scene, model);
 %! assert ([constants.rod.slope_1, constants.rod.slope_2], zeros (3, 2));
 %! assert (constants.rod.inverse_mass_matrix*constants.rod.mass_matrix, eye (3), 1e-12);
+%!test # what the rates need of loads, of followers that a force pulls, and of the force's point
+%! scene = setfield (damped (), "force", @(t) [3 5]);
+%! scene.force_station = 0.25;
+%! scene = check_scene (scene);
+%! rung = struct ("sines", [], "bending", 1, "longitudinal", 0, "axial", "quasistatic", "stiffening", ...
+%!   "foreshortening");
+%! model = build_model (scene, rung);
+%! constants = rod_constants (scene, model);
+%! assert (constants.interval, [0, scene.duration]); assert (constants.gravity, scene.gravity);
+%! assert (constants.rod.damping, scene.rod.damping); assert (constants.rod.damping > 0);
+%! assert (constants.pulls_followers); assert (constants.force (1), [3 5]);
+%! assert (constants.moment (0.1), scene.moment (0.1)); assert (constants.point.station, 0.25);
+%! for name = {"follower_fd", "follower_fs", "follower_ff"}
+%!   assert (constants.point.(name{1}), model.arrays.(name{1}));
+%! endfor
+%! assert (model.arrays.follower_ff > 0);
+%! assert (! rod_constants (setfield (scene, "force", []), model).pulls_followers);

@@ -115,8 +115,12 @@ endfunction
 %! checked = check_surface_scene (scene);
 %! assert ({checked.rod.EI_normal, checked.rod.half_height, checked.force}, {7, 0.02, [1 2 3]});
 %! assert ({checked.initial.point, checked.initial.angle, checked.model.modes}, {[0.1 0.2], 0, [3 4]});
-%!error <rod.colour is not a field of a scene on a surface> check_surface_scene (setfield (smallest (), "rod", "colour", 1))
+%!error <rod.colour is not a field of a scene on a surface>
+%! check_surface_scene (setfield (smallest (), "rod", "colour", 1))
 %!error <rod is not a field of a scene on a surface> check_surface_scene (setfield (smallest (), "rod", 1))
 %!error <ends is a 1-by-2 cell: it takes> check_surface_scene (setfield (smallest (), "ends", {"free", "loose"}))
 %!error <force is 1   2: it takes three numbers> check_surface_scene (setfield (smallest (), "force", [1 2]))
-%!error <initial.point is 1   2   3: it takes> check_surface_scene (setfield (smallest (), "initial", "point", [1 2 3]))
+%!error <initial.point is 1   2   3: it takes>
+%! check_surface_scene (setfield (smallest (), "initial", "point", [1 2 3]))
+%!error <^rods is not a field of a scene on a surface>
+%! check_surface_scene (setfield (smallest (), "rods", struct ("GJ", 1)))

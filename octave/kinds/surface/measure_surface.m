@@ -52,3 +52,19 @@ endfunction
 %! history = run.history;
 %! assert (history.W(end), 3*3/3/2, 1e-2); assert (history.T(end), 3*3/3/2, 1e-2);  # F s, s = F t^2/(2 rhoA l)
 %! assert (history.balance, history.balance(1)*ones (size (history.t)), 1e-6);
+%!test # a rod of 2 m and 3 kg that moves across itself at 3 m/s on a slope: its energies, and its angular momentum
+%! scene = struct ("surface", struct ("name", "plane", "inclination", 0.3), "duration", 1, ...
+%!                 "rod", struct ("length", 2, "EA", 3, "EI", 1, "rhoA", 1.5), "model", struct ("modes", [3 3]));
+%! scene.initial.velocity = @(xi, alpha) [0*xi; 3 + 0*xi];
+%! scene.initial.point = [1 2];
+%! scene = check_surface_scene (scene);
+%! system = surface_rod (scene);
+%! state = system.initial_state;
+%! state(end) = 7;
+%! history = measure_surface (system, scene, [0 1], [state, state]);
+%! assert (history.T, 1.5*2*3^2/2*[1 1], 1e-9); assert (history.U, [0 0], 1e-9); assert (history.W, [7 7]);
+%! height = mean (history.z(:,1));
+%! assert (history.Z, 3*9.81*height*[1 1], 1e-6); assert (abs (height) > 0.1);
+%! assert (history.balance, history.T + history.Z - 7, 1e-9); assert (history.D, [0 0]);
+%! assert (norm (history.angular_momentum(:,1)), 3*2*3, 1e-9);
+%! assert (history.largest_strain < 1e-9); assert (numel (history.q_names), 6);

@@ -30,7 +30,7 @@ endfunction
 %!  surface.normal = @(fields) deal (normals(:,1), normals(:,2), normals(:,3), determinant);
 %!  refuse_singular (surface, struct ("alpha1", [1; 2], "alpha2", [3; 4]), "at t = 7");
 %!endfunction
-%!test # between two points the normal turns by less than a right angle, and the metric keeps a ten thousandth of itself
+%!test # normals of neighbours are less than a right angle apart, and the metric keeps a ten thousandth of itself
 %! for k = 1:3
 %!   n = eye (3)(k,:);
 %!   refuse ([n; n], [1; 1]);

@@ -165,3 +165,26 @@ endfunction
 %! [z, e] = deal (0.1*ones (system.n, 1), full (eye (system.n)));
 %! M = system.residual (0, repmat (z, 1, system.n), 0*e, e) - system.residual (0, z, 0*z, 0*z);
 %! assert (system.mass_matrix (z), M, 1e-9);
+%!error <the rod meets a point at the start where the surface's chart is singular, near alpha = \(0.001, 0\)>
+%! scene = struct ("surface", struct ("name", "cone", "half_angle", 1), "duration", 1, ...
+%!                 "rod", struct ("length", 1, "EA", 100, "EI", 0.1, "rhoA", 2), "model", struct ("modes", [4 4]));
+%! scene.initial.point = [1e-3 0];
+%! surface_rod (check_surface_scene (scene));
+%!test # its rates are those that leave no residual, times beyond an interval are those of its ends, and what it tells
+%! system = surface_rod (pendulum ());
+%! y = [0.05*ones(system.n, 1); 0.3*ones(system.n, 1); 0];
+%! [z, z_dot] = deal (y(1:system.n), y(system.n+1:end-1));
+%! y_dot = system.rate (0.1, y, [0 1]);
+%! assert (system.residual (0.1, z, z_dot, y_dot(system.n+1:end-1)), zeros (system.n, 1), 1e-9);
+%! assert (y_dot(1:system.n), z_dot); assert (y_dot(end), system.power (0.1, z, z_dot), 1e-12);
+%! scene = pendulum ();
+%! scene.force = @(t) [t 0 0];
+%! system = surface_rod (scene);
+%! for times = {-1, 0.2; 5, 0.7; 0.4, 0.4}.'
+%!   assert (system.rate (times{1}, y, [0.2 0.7]), system.rate (times{2}, y, [0 1]), 1e-12);
+%! endfor
+%! assert (norm (system.rate (0.2, y, [0 1]) - system.rate (0.7, y, [0 1])) > 1e-3);
+%! two = system.residual ([0.2 0.7], [z, z], [z_dot, z_dot], 0*[z, z]);
+%! assert (two, [system.residual(0.2, z, z_dot, 0*z), system.residual(0.7, z, z_dot, 0*z)], 1e-12);
+%! assert (system.initial_state(end), 0); assert (system.energy_rows, 2*system.n + 1);
+%! assert ({system.forms, system.auto, system.warnings, system.duration}, {{"rate", "residual"}, "radau", {}, 1});

@@ -155,3 +155,17 @@ endfunction
 %!   assert (! isempty (strfind (dom, sprintf ("data-drawn=\"%d\"", numel (drawing{1}.time)))));
 %!   assert (! isempty (regexp (dom, '<p id="state">t = 0.00 s; [^<]+:')));
 %! endfor
+%!test # what is told to those who cannot see it
+%! drawing = sample_drawing (5);
+%! html = report_of (drawing, @fileread);
+%! seconds = sprintf ("%.3g s", range (drawing.time));
+%! labels = @(panels) strjoin ({panels.label}, ", ");
+%! animation = "Animation of Rod with a half wave: 1 bodies move for %s; the deformation is drawn 300 times.";
+%! for text = {sprintf(animation, seconds)
+%!             ["Over time: " labels(drawing.strips)]; ["Over time: " labels(drawing.panels) "."]
+%!             ["The bodies at even times over " seconds]; ["Over " seconds ": " labels(drawing.panels)]
+%!             "<p>Derived by Maxima.</p>"; "a &lt; b"}.'
+%!   assert (! isempty (strfind (html, text{1})), text{1});
+%! endfor
+%! drawing.equations = {"nothing"};
+%! assert (! isempty (strfind (report_of (drawing, @fileread), "<p>None is derived.</p>")));
