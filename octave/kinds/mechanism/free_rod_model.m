@@ -27,7 +27,7 @@ function model = free_rod_model (body, rung)
     arrays = add_point_mass (arrays, model.base, model.length, body.tip_mass, model.shortening);
   endif
   arrays.damping = body.rod.damping;
-  [arrays.slope_1, arrays.slope_2] = slopes_at_O (model.base, model.shortening);
+  [arrays.slope_1, arrays.slope_2] = slopes_at (model.base, 0, model.shortening);
   model.arrays = arrays;
   model.basis = eye (columns (arrays.mass_matrix));
   model.followers = [];

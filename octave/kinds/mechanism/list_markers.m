@@ -57,13 +57,10 @@ endfunction
 
 function marker = marker_at (model, station)
   [along, across] = functions_at (model.base, station);
-  [along_slope, across_slope] = functions_at (model.base, station, 1);
-  if (model.shortening)
-    along_slope *= 0;  # v1 is then the stretch along the bent rod, which does not turn its tangent
-  endif
+  [slope_1, slope_2] = slopes_at (model.base, station, model.shortening);
   [x, y, direction] = undeformed_places (model.base, station);
   marker = struct ("place_1", x, "place_2", y, "direction", direction, "shape_1", along.', "shape_2", across.', ...
-                   "slope_1", along_slope.', "slope_2", across_slope.', ...
+                   "slope_1", slope_1, "slope_2", slope_2, ...
                    "shortening_matrix", model.shortening*shortening_at (model.base, station));
 endfunction
 
