@@ -4,13 +4,14 @@
 ## D): coordinates of the model's basis, rotation, the coordinates' rates, angular momentum, work of the loads,
 ## dissipated energy.  (The angular momentum feels no stiffness: its rate is smooth where phi's is not.)
 ##
-## Fields: initial_state, rate, motion (times, states) = a struct of q, q_dot (n-by-m), phi, phi_dot (1-by-m),
-## torque (of a hub, else empty) and reaction_x, reaction_y (N, of the support at O on the rod), energies (phi, phi_dot, q, q_dot) = [T; U; Z], mass and stiffness (of the
-## coordinates, linear about the undeformed rod), stiffness_at (t, y) (of the rod as it turns), damping_matrix (where
-## there is damping), longest_step (s), velocity_matrix (the second part of y per rates of the coordinates, likewise),
-## momenta and accelerations (other forms of the same, see @code{momenta_of_rod} and @code{accelerations_of_rod}),
-## turned (see @code{integrate_explicit}: the paper's sines are integrated as they are), breaks (times in s at which a
-## load jumps) and state_scale, what each state may be off by where a centreline point is off by 1 m.
+## Fields: initial_state, rate, motion (times, states) = a struct of q, q_dot (n-by-m), phi, phi_dot (1-by-m), torque
+## (of a hub, else empty) and reaction_x, reaction_y (N, of the support at O on the rod), energies (phi, phi_dot, q,
+## q_dot) = [T; U; Z], mass and stiffness (of the coordinates, linear about the undeformed rod), stiffness_at (t, y)
+## (of the rod as it turns), damping_matrix (where there is damping), longest_step (s), velocity_matrix (the second
+## part of y per rates of the coordinates, likewise), momenta and accelerations (other forms of the same, see
+## @code{momenta_of_rod} and @code{accelerations_of_rod}), turned (see @code{integrate_explicit}: the paper's sines are
+## integrated as they are), breaks (times in s at which a load jumps) and state_scale, what each state may be off by
+## where a centreline point is off by 1 m.
 ## @end deftypefn
 
 function system = hinged_rod (scene, model)
