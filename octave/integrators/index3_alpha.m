@@ -26,7 +26,7 @@ function [z, converged] = step (t, z, c, h, system)
     a = v_dot;
   endif
   before = system.at (t, q, v);
-  power = @(at, lambda) [at.power + lambda.'*at.constraints.rate; at.dissipated];
+  power = @(at, lambda) [system.work_rate(at, lambda); at.dissipated];
   start = power (before, lambda);
   [next, sigma] = deal (v_dot, before.springs.tension);
   [last, factor] = deal (Inf, h^2*c.beta*c.part);

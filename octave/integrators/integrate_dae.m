@@ -13,7 +13,7 @@ function [states, steps] = integrate_dae (code, system, times, start, solver)
   c = system.constraint_count;
   [a, lambda, at] = constrained_accelerations (system, times(1), start.q, start.v);
   y = [start.q; start.v; lambda; zeros(c, 1); start.W; start.D];
-  y_dot = [start.v; a; zeros(2*c, 1); at.power + lambda.'*at.constraints.rate; at.dissipated];
+  y_dot = [start.v; a; zeros(2*c, 1); system.work_rate(at, lambda); at.dissipated];
   residual = @(t, y, y_dot) equations (t, y, y_dot, system);
   scale = solver.tolerance/100*[system.q_scale; system.q_scale/(0.1*system.duration); 1e10*ones(2*c, 1); 1e3; 1e3];
   warning_state = warning ("off", "all");
@@ -45,7 +45,7 @@ function r = equations (t, y, y_dot, system)
        system.inertia(at, y_dot(n+1:2*n)) - at.force + system.reaction(at, lambda)
        at.constraints.residual
        at.constraints.velocity
-       y_dot(end-1) - at.power - lambda.'*at.constraints.rate
+       y_dot(end-1) - system.work_rate(at, lambda)
        y_dot(end) - at.dissipated];
 endfunction
 

@@ -65,6 +65,7 @@ function [window, why] = radau_window (system, rule, y, h, panels, guess, tolera
     if (any ([at.power, at.dissipated, at.constraints.rate(:).']))  # the iteration's last step changes them, too
       at = system.at (x.prescribed, x.q, x.v);
     endif
+    window.power = reshape (system.work_rate (at, x.lambda), panels, s);
     window = finished (window, rule, factors, h, panels, y, x, at, scale);
   endif
 endfunction
@@ -111,7 +112,6 @@ function window = finished (window, rule, factors, h, panels, y, x, at, scale)
   for name = {"q", "v", "a", "lambda", "sigma"}
     window.(name{1}) = mat2cell (x.(name{1}), rows (x.(name{1})), panels*ones (1, s));
   endfor
-  window.power = reshape (at.power + sum (x.lambda.*at.constraints.rate, 1), panels, s);
   window.dissipated = reshape (at.dissipated, panels, s);
 endfunction
 

@@ -57,7 +57,7 @@ function [z, converged] = step (t, z, h, system)
   ## M v = p - Phi_q' mu, Phi_q v + Phi_t = 0
   [v, mu] = saddle_solve (system, t + h, mass, jacobian, p, -there.constraints.rate);
   p -= jacobian.'*mu;
-  power = middle.power + (lambda + mu).'/h*middle.constraints.rate;
+  power = system.work_rate (middle, (lambda + mu)/h);
   z = [next; v; z(2*n+1:2*n+2) + h*[power; middle.dissipated]; p];
 endfunction
 

@@ -65,11 +65,8 @@ endfunction
 
 function marker = marker_at (model, station)
   [along, across] = functions_at (model.base, station);
-  [along_slope, across_slope] = functions_at (model.base, station, 1);
-  if (model.shortening)
-    along_slope *= 0;  # v1 is then the stretch along the bent rod, which does not turn its tangent
-  endif
-  marker = struct ("shape_1", along.', "shape_2", across.', "slope_1", along_slope.', "slope_2", across_slope.', ...
+  [slope_1, slope_2] = slopes_at (model.base, station, model.shortening);
+  marker = struct ("shape_1", along.', "shape_2", across.', "slope_1", slope_1, "slope_2", slope_2, ...
                    "shortening_matrix", model.shortening*shortening_at (model.base, station));
   marker = project_arrays (marker, model.basis);
   [marker.place_1, marker.place_2, marker.direction] = undeformed_places (model.base, station);

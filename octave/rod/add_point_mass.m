@@ -11,10 +11,10 @@ function arrays = add_point_mass (arrays, base, station, mass, shortening)
   Q = shortening*shortening_at (base, station);
   [M, G, N, Y] = point_mass_pairs (along_j, across_j, along_k, across_k, Q, station, mass);
   [c, d, s, r] = point_mass_modes (along.', across.', station, mass);
-  [J, S] = point_mass_constants (station, mass);
+  [J, S, m] = point_mass_constants (station, mass);
   added = struct ("mass_matrix", M, "gyroscopic_matrix", G, "centrifugal_matrix", N, "shortened_moment_matrix", Y, ...
                   "coupling_vector", c, "centrifugal_vector", d, "first_moment_1", s, "first_moment_2", r, ...
-                  "moment_of_inertia", J, "static_moment", S);
+                  "moment_of_inertia", J, "static_moment", S, "mass", m);
   for [value, name] = added
     arrays.(name) += value;
   endfor

@@ -10,7 +10,7 @@ function arrays = curved_arrays (base, axis, section, rod)
   n = columns (f.e);
   w = axis.weights(:);
   [c, d, s, r] = curved_rod_modes (in_pairs (f, 1:n, "j"), repeated (axis, n), section);
-  [J, S_1, S_2] = curved_rod_constants (axis, section);
+  [J, S_1, ~, m] = curved_rod_constants (axis, section);
   [k, j] = meshgrid (1:n, 1:n);
   row = in_pairs (f, j, "j");
   column = in_pairs (f, k, "k");
@@ -28,7 +28,8 @@ function arrays = curved_arrays (base, axis, section, rod)
   arrays = struct ("mass_matrix", M, "gyroscopic_matrix", (G - G.')/2, "centrifugal_matrix", M, ...
                    "coupling_vector", vector (c), "centrifugal_vector", vector (d), "moment_of_inertia", J*w, ...
                    "stiffness_matrix", symmetric (matrix (K)), "static_moment", S_1*w, ...
-                   "first_moment_1", vector (s), "first_moment_2", vector (r), "shortened_moment_matrix", zeros (n));
+                   "first_moment_1", vector (s), "first_moment_2", vector (r), "mass", m*w, ...
+                   "shortened_moment_matrix", zeros (n));
 endfunction
 
 ## the base functions in this order (columns), u_1 as u_1_j for one

@@ -5,8 +5,8 @@
 ##
 ## Fields, with n base functions: mass_matrix, gyroscopic_matrix, centrifugal_matrix (n-by-n, kg), stiffness_matrix
 ## (n-by-n, N/m), shortened_moment_matrix (n-by-n, kg/m), coupling_vector, centrifugal_vector (n-by-1, kg m),
-## first_moment_1, first_moment_2 (n-by-1, kg), moment_of_inertia (kg m^2), static_moment (kg m).  @var{section} comes
-## from @code{rod_section}; @var{shortening} is 1 with foreshortening, 0 without.
+## first_moment_1, first_moment_2 (n-by-1, kg), moment_of_inertia (kg m^2), static_moment (kg m), mass (kg).
+## @var{section} comes from @code{rod_section}; @var{shortening} is 1 with foreshortening, 0 without.
 ## @end deftypefn
 
 function arrays = rod_arrays (base, section, shortening)
@@ -29,6 +29,7 @@ function arrays = rod_arrays (base, section, shortening)
     rod_centrifugal_matrix_transversal (j22, k22, length, rhoA, rhoI, shortening));
   arrays.coupling_vector = [zeros(N1, 1); rod_coupling(j2, length, rhoA, rhoI)];
   arrays.centrifugal_vector = [rod_centrifugal(j1, length, rhoA, rhoI); zeros(N2, 1)];
+  arrays.mass = rod_mass (length, rhoA);
   arrays.moment_of_inertia = rod_moment_of_inertia (length, rhoA, rhoI);
   arrays.stiffness_matrix = blkdiag (rod_stiffness_longitudinal (j11, k11, length, section.EA, section.GI),
                                      rod_stiffness_transversal (j22, k22, length, section.EI));
@@ -46,6 +47,7 @@ endfunction
 %!assert (arrays.mass_matrix, arrays.mass_matrix.')
 %!assert (arrays.gyroscopic_matrix, -arrays.gyroscopic_matrix.')
 %!assert (arrays.centrifugal_matrix, arrays.mass_matrix, 1e-15)
+%!assert (arrays.mass, 3*1.5, 1e-12)
 %!assert (arrays.moment_of_inertia, 3*1.5^3/3 + 0.01*1.5, 1e-12)
 %!assert (arrays.static_moment, 3*1.5^2/2, 1e-12)
 %!test # coefficients are integrals over the length

@@ -128,15 +128,21 @@ function text = rows_of_runs (scenes)
     [kind, scene, model, system] = built (setfield (scenes{k}, "duration", 0.01));
     run = run_model (kind, scene, model);
     rungs = kind.rungs (scene, kind.stated (scene), kind.far_richer (scene, model));
+    columns_of = regexprep (kind.columns (scene, run), '(_\d+)? \[.*', '');
     has(:,k) = [! isempty(kind.sized (scene, 8)) && numel(kind.reference) == 2
                 numel(rungs) > 1
                 any(ismember (system.forms, {"rate", "constrained"}))
                 isfield(kind.drawing (scene, run), "spectrum")
                 iscellstr(kind.warnings (scene, run))
-                ! isempty(kind.dropped (scene, run, run))];
+                ! isempty(kind.dropped (scene, run, run))
+                all(ismember ({"mid_x", "mid_y"}, columns_of))
+                all(ismember ({"psi", "tip_psi"}, columns_of))
+                all(ismember ({"reaction_x", "reaction_y"}, columns_of))];
   endfor
   names = {"`make chart`", "`make models`", "`make stability`", "spectra of the tip", ...
-           "warnings where the model does not hold", "what all its models drop, in the estimated error"};
+           "warnings where the model does not hold", "what all its models drop, in the estimated error", ...
+           "place of mid-span over time", "angles of the tangent at both ends over time", ...
+           "reactions of the supports over time"};
   cells = repmat ({"not yet"}, size (has));
   cells(has) = {"yes"};
   cells{6,4} = "it drops nothing";

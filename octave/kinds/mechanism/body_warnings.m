@@ -10,13 +10,11 @@ function warnings = body_warnings (scene, run)
     body = scene.bodies(k);
     model = run.model.models{k};
     history = run.history.bodies(k);
-    [along, across] = functions_at (model.base, linspace (0, model.length, 21).', 1);
-    slope = max ([0; abs(across*history.V)(:)]);
+    [slope, strain] = largest_slopes (model, history.V);
     if (slope > 0.3)
       warnings{end+1} = sprintf (["%s bends to a slope of %.2g: the model holds below some 0.3; take it as several" ...
                                   " rods welded together"], body.name, slope);
     endif
-    strain = max ([0; abs(along*history.V)(:)]);
     if (strain > 0.01)
       warnings{end+1} = sprintf (["%s is strained by %.2g, linear elasticity holds for small strains: take smaller" ...
                                   " loads"], body.name, strain);

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{model} =} free_rod_model (@var{body}, @var{rung})
 ## The model of a mechanism's @var{body} on a @var{rung} of the ladder: as @code{build_model} of a hinged rod, with its
-## mass (kg) and damping (s) in arrays, which the generated functions take.
+## damping (s) in arrays, which the generated functions take.
 ##
 ## Sines fit pinned ends that bear no force along the rod.  rung.sines holds [N1 N2]; rung.corrections and
 ## rung.elongations, where they are there, are the numbers of base functions (see @code{base_functions}) for ends that
@@ -23,13 +23,11 @@ function model = free_rod_model (body, rung)
   else
     [model.base, arrays] = curved_base (model.base, body.rod, model.section, body.model.energy);
   endif
-  arrays.mass = model.section.rhoA*model.length;
   if (body.tip_mass > 0)
     arrays = add_point_mass (arrays, model.base, model.length, body.tip_mass, model.shortening);
-    arrays.mass += body.tip_mass;
   endif
   arrays.damping = body.rod.damping;
-  [arrays.slope_1, arrays.slope_2] = slopes_at_O (model.base, model.shortening);
+  [arrays.slope_1, arrays.slope_2] = slopes_at (model.base, 0, model.shortening);
   model.arrays = arrays;
   model.basis = eye (columns (arrays.mass_matrix));
   model.followers = [];

@@ -1,9 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{history} =} measure_mechanism (@var{system}, @var{times}, @var{states})
 ## What is observed of a mechanism at the frame times: a struct of 1-by-m rows t, T, U, Z, W, D, balance (T + U + Z +
-## D - W, constant), energy_floor (J), lambda (constraints-by-m), markers (x, y: markers-by-m), residual and
-## velocity_residual (the largest of all constraints, 1-by-m) and bodies (a struct array of phi, phi_dot, psi, x, y,
-## tip_x, tip_y (1-by-m), V (N-by-m) and V_names).
+## D - W, constant), energy_floor (J), lambda (constraints-by-m), joints (see @code{joint_forces}), markers (x, y:
+## markers-by-m), residual and velocity_residual (the largest of all constraints, 1-by-m) and bodies (a struct array of
+## phi, phi_dot, psi and tip_psi (the tangent's angles at both ends), x, y, tip_x, tip_y, mid_x, mid_y (1-by-m),
+## V (N-by-m) and V_names).
 ## @end deftypefn
 
 function history = measure_mechanism (system, times, states)
@@ -16,6 +17,7 @@ function history = measure_mechanism (system, times, states)
   history.energy_floor = energy_floor (inertia, system.duration);
   history.lambda = states.lambda;
   history.markers = marker_places (mechanism, states.q);
+  history.joints = joint_forces (mechanism, at, states.lambda);
   history.residual = max ([abs(at.constraints.residual); zeros(1, numel (times))], [], 1);
   history.velocity_residual = max ([abs(at.constraints.velocity); zeros(1, numel (times))], [], 1);
   for k = 1:numel (mechanism.models)
@@ -24,10 +26,11 @@ function history = measure_mechanism (system, times, states)
     n = numel (index) - 3;
     q = states.q(index,:);
     body = struct ("phi", q(n+1,:), "phi_dot", states.v(index(n+1),:), "x", q(n+2,:), "y", q(n+3,:), "V", q(1:n,:));
-    [~, ~, undeformed] = undeformed_places (model.base, 0);
-    body.psi = rod_tangent_angle (struct ("phi", body.phi, "V", body.V), model.arrays) + undeformed;
+    body.psi = tangent_at (model, 0, body.phi, body.V);
+    body.tip_psi = tangent_at (model, model.length, body.phi, body.V);
     body.V_names = mode_names (model.base);
     [body.tip_x, body.tip_y] = body_centreline (model, model.length, body, 1);
+    [body.mid_x, body.mid_y] = body_centreline (model, model.length/2, body, 1);
     history.bodies(k) = body;
   endfor
 endfunction

@@ -13,6 +13,8 @@
 ## springs (see @code{spring_forces})
 ## @item prescribed (t)
 ## what joints and loads prescribe then: at takes it in the place of t, where it is asked again and again
+## @item work_rate (at, lambda)
+## the rate of the work W of the loads and of joints that move (1-by-k, W): power + lambda' Phi_t
 ## @item inertia (at, a), reaction (at, lambda), spring_reaction (at, tension)
 ## M a, Phi_q' lambda and the same of the springs, whose part of f is minus that of their tension
 ## @item tangent (at, lambda, tension)
@@ -52,6 +54,7 @@ function system = mechanism_system (scene, mechanism)
   system.mass = mechanism_matrices (mechanism, rod_dynamics (mechanism, q, v));
   system.prescribed = @(t) prescribed_at (mechanism, t);
   system.at = @(t, q, v) everything (mechanism, t, q, v);
+  system.work_rate = @(at, lambda) at.power + sum (lambda.*at.constraints.rate, 1);
   system.inertia = @(at, a) inertia_times (mechanism, at.rods, a);
   system.reaction = @(at, lambda) forces_of_markers (
     mechanism, at.markers, reactions (mechanism, mechanism.constraints, at.constraints, lambda));

@@ -24,7 +24,7 @@ function model = build_model (scene, rung)
   if (scene.tip_mass > 0)
     arrays = add_point_mass (arrays, model.base, model.length, scene.tip_mass, model.shortening);
   endif
-  [arrays.slope_1, arrays.slope_2] = slopes_at_O (model.base, model.shortening);
+  [arrays.slope_1, arrays.slope_2] = slopes_at (model.base, 0, model.shortening);
   model.whole_mass_matrix = arrays.mass_matrix;
   model.whole_coupling_vector = arrays.coupling_vector;
 

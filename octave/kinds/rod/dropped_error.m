@@ -40,11 +40,8 @@ function dropped = dropped_error (scene, model, history)
 endfunction
 
 function metres = bound (scene, model, history)
-  points = linspace (0, model.length, 101);
-  [stretches, slopes] = functions_at (model.base, points, 1);
-  [~, deflections] = functions_at (model.base, points);
-  slope = max ([0; abs(slopes*history.V)(:)]);
-  strain = max ([0; abs(stretches*history.V)(:)]);
+  [slope, strain] = largest_slopes (model, history.V);
+  [~, deflections] = functions_at (model.base, linspace (0, model.length, 101));
   largest = max (abs (deflections*model.basis), [], 1).'.*max (abs (history.q), [], 2);
   omega = sqrt (diag (model.arrays.stiffness_matrix)./diag (model.arrays.mass_matrix));
   phase = (omega + max (abs (history.phi_dot)))*scene.duration;

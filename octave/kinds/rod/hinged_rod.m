@@ -4,13 +4,15 @@
 ## D): coordinates of the model's basis, rotation, the coordinates' rates, angular momentum, work of the loads,
 ## dissipated energy.  (The angular momentum feels no stiffness: its rate is smooth where phi's is not.)
 ##
-## Fields: initial_state, rate, motion (times, states) = a struct of q, q_dot (n-by-m), phi, phi_dot (1-by-m) and
-## torque (of a hub, else empty), energies (phi, phi_dot, q, q_dot) = [T; U; Z], mass and stiffness (of the
-## coordinates, linear about the undeformed rod), stiffness_at (t, y) (of the rod as it turns), damping_matrix (where
-## there is damping), joined (see @code{joined_rod}), longest_step (s), velocity_matrix (the second part of y per rates of the coordinates, likewise),
-## momenta and accelerations (other forms of the same, see @code{momenta_of_rod} and @code{accelerations_of_rod}),
-## turned (see @code{integrate_explicit}: the paper's sines are integrated as they are), breaks (times in s at which a
-## load jumps) and state_scale, what each state may be off by where a centreline point is off by 1 m.
+## Fields: initial_state, rate, motion (times, states) = a struct of q, q_dot (n-by-m), phi, phi_dot (1-by-m), torque
+## (of a hub, else empty) and reaction_x, reaction_y (N, of the support at O on the rod), energies (phi, phi_dot, q,
+## q_dot) = [T; U; Z], mass and stiffness (of the coordinates, linear about the undeformed rod), stiffness_at (t, y)
+## (of the rod as it turns), damping_matrix (where there is damping), joined (see
+## @code{joined_rod}), longest_step (s), velocity_matrix (the second
+## part of y per rates of the coordinates, likewise), momenta and accelerations (other forms of the same, see
+## @code{momenta_of_rod} and @code{accelerations_of_rod}), turned (see @code{integrate_explicit}: the paper's sines are
+## integrated as they are), breaks (times in s at which a load jumps) and state_scale, what each state may be off by
+## where a centreline point is off by 1 m.
 ## @end deftypefn
 
 function system = hinged_rod (scene, model)
@@ -29,7 +31,7 @@ function system = hinged_rod (scene, model)
   system.velocity_matrix = [eye(n, n + 1); system.mass(end,:)];
   system.initial_state = initial_state (scene.initial, model, constants);
   system.rate = @(t, y, interval) hinged_rod_rate (t, y, interval, n, constants);
-  system.motion = @(times, states) motion (times, states, n, system.rate);
+  system.motion = @(times, states) motion (times, states, n, constants);
   system.energies = @(phi, phi_dot, q, q_dot) rod_energies_of (phi, phi_dot, q, q_dot, constants);
   system.momenta = momenta_of_rod (n, constants, system.mass, system.stiffness);
   system.accelerations = accelerations_of_rod (n, constants);
@@ -65,9 +67,11 @@ function y = initial_state (initial, model, c)
   y = [start(:,1); start(1:n,2); p; 0; 0];
 endfunction
 
-function found = motion (times, states, n, rate)
+function found = motion (times, states, n, c)
   found = struct ("q", states(1:n,:), "q_dot", states(n+2:2*n+1,:), "phi", states(n+1,:), "torque", []);
-  found.phi_dot = rate (times, states, times([1 end]))(n+1,:);
+  [rates, phi_ddot] = hinged_rod_rate (times, states, c.interval, n, c);
+  found.phi_dot = rates(n+1,:);
+  [found.reaction_x, found.reaction_y] = reaction_at_O (times, found, rates(n+2:2*n+1,:), phi_ddot, c);
 endfunction
 
 %!test # at rest and undeformed: the rod falls as a rigid one begins to

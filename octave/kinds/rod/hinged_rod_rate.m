@@ -1,12 +1,13 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{y_dot} =} hinged_rod_rate (@var{t}, @var{y}, @var{interval}, @var{n}, @var{c})
-## Rates of the states @var{y} (a column a time) of @code{hinged_rod} at the times @var{t} (1-by-m), from
-## @code{rod_rates}; joints' forces depend on the rate of the rotation, from @code{rod_turning}.
+## @deftypefn {} {[@var{y_dot}, @var{phi_ddot}] =} hinged_rod_rate (@var{t}, @var{y}, @var{interval}, @var{n}, @var{c})
+## Rates of the states @var{y} (a column a time) of @code{hinged_rod} at the times @var{t} (1-by-m), and the angular
+## acceleration of the rod's frame (rad/s^2), from @code{rod_rates}; joints' forces depend on the rate of the rotation,
+## from @code{rod_turning}.
 ##
 ## Loads are taken at a time within @var{interval} = [start, end] (s), which has no jump in it.
 ## @end deftypefn
 
-function y_dot = hinged_rod_rate (t, y, interval, n, c)
+function [y_dot, phi_ddot] = hinged_rod_rate (t, y, interval, n, c)
   motion.V = y(1:n,:);
   motion.phi = y(n+1,:);
   motion.V_dot = y(n+2:2*n+1,:);
@@ -18,7 +19,7 @@ function y_dot = hinged_rod_rate (t, y, interval, n, c)
     motion.phi_dot = rod_turning (motion, c.rod, c.gravity, loads);
   endif
   [loads, taken, lost] = with_joints (loads, t, motion, c);
-  [V_ddot, phi_dot, torque, power, dissipated] = rod_rates (motion, c.rod, c.gravity, loads);
+  [V_ddot, phi_dot, torque, power, dissipated, phi_ddot] = rod_rates (motion, c.rod, c.gravity, loads);
   y_dot = [motion.V_dot; phi_dot; V_ddot; torque; power + taken; dissipated + lost];
 endfunction
 

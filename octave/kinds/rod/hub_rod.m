@@ -49,7 +49,8 @@ function found = motion (times, states, n, c)
   theta = at_times (c.rotation, times);
   within = struct ("V", found.q, "V_dot", found.q_dot);
   [found.phi, found.phi_dot] = rod_in_hub (theta(1,:), theta(2,:), within, c.rod);
-  [~, found.torque] = hub_rod_rate (times, states, times([1 end]), n, c);
+  [rates, found.torque, phi_ddot] = hub_rod_rate (times, states, c.interval, n, c);
+  [found.reaction_x, found.reaction_y] = reaction_at_O (times, found, rates(n+1:2*n,:), phi_ddot, c);
 endfunction
 
 %!test # the tangent at O has the hub's angle

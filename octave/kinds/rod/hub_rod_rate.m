@@ -1,13 +1,14 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{y_dot}, @var{torque}] =} hub_rod_rate (@var{t}, @var{y}, @var{interval}, @var{n}, @var{c})
+## @deftypefn {} {[@var{y_dot}, @var{torque}, @var{phi_ddot}] =} hub_rod_rate (@var{t}, @var{y}, @var{interval}, @
+##   @var{n}, @var{c})
 ## Rates of the states @var{y} (a column a time) of @code{hub_rod} at the times @var{t} (1-by-m), and the torque of the
 ## hub (N m): the multiplier of the constraint that the tangent at O has the hub's angle.  The rotation phi of the
-## rod's frame follows from it.
+## rod's frame and its angular acceleration (rad/s^2) follow from it.
 ##
 ## Loads are taken at a time within @var{interval} = [start, end] (s), which has no jump in it.
 ## @end deftypefn
 
-function [y_dot, torque] = hub_rod_rate (t, y, interval, n, c)
+function [y_dot, torque, phi_ddot] = hub_rod_rate (t, y, interval, n, c)
   t = min (max (t, interval(1)), interval(2));
   V = y(1:n,:);
   V_dot = y(n+1:2*n,:);

@@ -1,10 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{history} =} measure (@var{system}, @var{model}, @var{times}, @var{states})
-## What is observed at the frame times: a struct of 1-by-m rows t, phi, phi_dot, psi, tip_x, tip_y, T, U, Z, W, D,
-## balance (T + U + Z + D - W, constant) and torque (of a hub, else empty), joints (see
-## @code{points_of_joints}), energy_floor (J), and the coordinates q
-## (n-by-m) and amplitudes V (N-by-m) of all base functions, with their names V1_1, ..., V2_1, ... (see
-## @code{mode_names}).
+## What is observed at the frame times: a struct of 1-by-m rows t, phi, phi_dot, psi and tip_psi (the tangent's angles
+## at O and at the tip), tip_x, tip_y, mid_x, mid_y (the centreline's places there and at mid-span), T, U, Z, W, D,
+## balance (T + U + Z + D - W, constant), reaction_x, reaction_y (N, of the support at O on the rod) and torque (of a
+## hub, else empty), joint_points (see @code{points_of_joints}), energy_floor (J), and the coordinates q (n-by-m) and amplitudes V (N-by-m) of all base functions,
+## with their names V1_1, ..., V2_1, ... (see @code{mode_names}).
 ## @end deftypefn
 
 function history = measure (system, model, times, states)
@@ -13,6 +13,8 @@ function history = measure (system, model, times, states)
   history.phi = motion.phi;
   history.phi_dot = motion.phi_dot;
   history.torque = motion.torque;
+  history.reaction_x = motion.reaction_x;
+  history.reaction_y = motion.reaction_y;
   history.q = motion.q;
   history.V = model.basis*motion.q;
   N1 = numel (model.base.longitudinal);
@@ -28,6 +30,7 @@ function history = measure (system, model, times, states)
   endif
   history.psi = rod_tangent_angle (struct ("phi", motion.phi, "V", motion.q), a) + ...
       nthargout (3, @undeformed_places, model.base, 0);
+  history.tip_psi = tangent_at (model, model.length, motion.phi, history.V);
   E = system.energies (motion.phi, motion.phi_dot, motion.q, motion.q_dot);
   [T, U, Z, W] = rod_pulled_followers (motion, system.gravity, loads, a);
   history.T = E(1,:) + T;
@@ -35,10 +38,11 @@ function history = measure (system, model, times, states)
   history.Z = E(3,:) + Z;
   history.V_names = mode_names (model.base);
   [history.tip_x, history.tip_y] = centreline (model, model.length, history, 1);
+  [history.mid_x, history.mid_y] = centreline (model, model.length/2, history, 1);
   history.W = states(end-1,:) + W;
   history.D = states(end,:);
   history.balance = history.T + history.U + history.Z + history.D - history.W;
-  history.joints = points_of_joints (system.joined, motion.q, motion.phi);
+  history.joint_points = points_of_joints (system.joined, motion.q, motion.phi);
   history.energy_floor = energy_floor (a.moment_of_inertia, system.duration);
 endfunction
 

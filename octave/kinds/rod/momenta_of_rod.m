@@ -32,13 +32,8 @@ endfunction
 
 function z = form (y, n, c)
   motion = struct ("V", y(1:n,:), "phi", y(n+1,:), "V_dot", y(n+2:2*n+1,:), "angular_momentum", y(2*n+2,:));
-  c.moment = @(t) 0*motion.phi;
-  c.force = [];
-  loads = loads_of_rod (0, motion, c);  # none: momenta do without
-  [~, motion.phi_dot] = rod_rates (motion, c.rod, c.gravity, loads);
-  mass_V_phi = rod_equations (motion, c.rod, c.gravity, loads);
   z = y;
-  z(n+2:2*n+1,:) = c.rod.mass_matrix*motion.V_dot + mass_V_phi.*motion.phi_dot;
+  z(n+2:2*n+1,:) = rod_momenta (motion, c.rod, c.gravity);
 endfunction
 
 %!function [system, y] = any_rod ()

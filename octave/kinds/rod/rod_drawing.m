@@ -29,7 +29,7 @@ function drawing = rod_drawing (scene, model, history)
   if (! isempty (scene.rotation))
     drawing.hinges.shape = {"hub"};
   endif
-  drawing.hinges = with_pins (drawing.hinges, scene.joints, history.joints);
+  drawing.hinges = with_pins (drawing.hinges, scene.joints, history.joint_points);
   drawing.strips = rod_strips (history, drawing.moment, undeformed_tip (model));
   drawing.panels = rod_panels (history, undeformed_tip (model));
   drawing.equations = {"hinged", "straight"};
@@ -48,19 +48,19 @@ endfunction
 
 %!test
 %! [scene, model] = sample_rod ([0 1]);
-%! history = setfield (setfield (sample_history (2), "V", [0, 1e-4]), "joints", []);
+%! history = setfield (setfield (sample_history (2), "V", [0, 1e-4]), "joint_points", []);
 %! [history.phi, history.V_names] = deal ([0 0], {"V2_1"});
 %! drawing = rod_drawing (scene, model, history);
 %! assert (max (drawing.bodies.stress(:,2)), (1.2e11 + 2*8.1e10)*pi^2*1e-4*0.015, 1);  # (12), with the paper's EI
 %! assert (drawing.notes, {});
 %! assert (max (drawing.bodies.y(:,2)), 300e-4, 1e-12);
 %! scene.joints = struct ("kind", {"spring", "bushing"}, "bodies", [1 0]);
-%! history.joints = struct ("x", [1 1; 2 3], "y", [4 4; 5 6]);
+%! history.joint_points = struct ("x", [1 1; 2 3], "y", [4 4; 5 6]);
 %! hinges = rod_drawing (scene, model, history).hinges;
 %! assert (hinges.x, [0 0; 2 3]); assert (hinges.shape, {"pin"; "pin"});
 %!test # a hub, a curved rod, one of no height, and loads
 %! [scene, model] = sample_rod ([0 1]);
-%! history = setfield (setfield (sample_history (2), "V", [0, 1e-4]), "joints", []);
+%! history = setfield (setfield (sample_history (2), "V", [0, 1e-4]), "joint_points", []);
 %! [history.phi, history.V_names] = deal ([0 0], {"V2_1"});
 %! drawing = rod_drawing (scene, model, history);
 %! assert (drawing.hinges.shape, {"pin"}); assert (drawing.equations, {"hinged", "straight"});

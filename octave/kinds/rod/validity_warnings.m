@@ -12,13 +12,11 @@ endfunction
 
 function warnings = slope_warnings (scene, model, history)
   warnings = {};
-  [along, across] = functions_at (model.base, linspace (0, model.length, 101).', 1);
-  slope = max ([0; abs(across*history.V)(:)]);
+  [slope, strain] = largest_slopes (model, history.V);
   if (slope > 0.2)
     warnings{end+1} = sprintf (["the slope v2,1 reaches %.2g, the theory holds for small ones: errors of its" ...
                                 " square are %.1g; take a stiffer rod or smaller loads"], slope, slope^2/2);
   endif
-  strain = max ([0; abs(along*history.V)(:)]);
   if (strain > 0.01)
     warnings{end+1} = sprintf (["the strain v1,1 reaches %.2g, linear elasticity holds for small ones:" ...
                                 " take smaller loads"], strain);

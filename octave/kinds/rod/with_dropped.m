@@ -31,21 +31,16 @@ function y_dot = hinged (t, y, interval, n, y_dot, c)
   c.interval = interval;
   q = y(1:n,:);
   q_dot = y(n+2:2*n+1,:);
-  q_ddot = y_dot(n+2:2*n+1,:);
+  q_ddot = 0*q;
   phi = y(n+1,:);
+  phi_ddot = 0*phi;
   phi_dot = y_dot(n+1,:);
-  [mass_q_phi, mass_phi_phi, ~, force_phi] = rod_forces (t, phi, phi_dot, q, q_dot, c);
-  solved_mass = c.rod.inverse_mass_matrix*mass_q_phi;
-  free_mass = mass_phi_phi - sum (mass_q_phi.*solved_mass, 1);
-  start = {q_ddot, (force_phi - sum(mass_q_phi.*q_ddot, 1))./mass_phi_phi};
-  accelerations = {0*q, 0*phi};
+  [mass_q_phi, mass_phi_phi, force_q, force_phi] = rod_forces (t, phi, phi_dot, q, q_dot, c);
   for pass = 1:2
-    [force_q, torque] = dropped (t, q, q_dot, accelerations{1}, phi, phi_dot, accelerations{2}, c);
-    solved = c.rod.inverse_mass_matrix*force_q;
-    phi_ddot = (torque - sum (mass_q_phi.*solved, 1))./free_mass;
-    accelerations = {start{1} + solved - solved_mass.*phi_ddot, start{2} + phi_ddot};
+    [more_q, torque] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c);
+    [q_ddot, phi_ddot] = rod_accelerations (c.rod, mass_q_phi, mass_phi_phi, force_q + more_q, force_phi + torque);
   endfor
-  y_dot(n+2:2*n+1,:) = accelerations{1};
+  y_dot(n+2:2*n+1,:) = q_ddot;
   y_dot(2*n+2,:) += torque;
   y_dot(2*n+3:end,:) = 0;
 endfunction

@@ -6,11 +6,11 @@
 ## @end deftypefn
 
 function alpha = laid_geodesic (surface, point, angle, stations)
-  [a_11, a_12, a_22] = surface.mass (struct ("alpha1", point(1), "alpha2", point(2)), struct ("rhoA", 1));
-  a = [a_11, a_12; a_12, a_22];
-  across = [-a_12; a_11]/sqrt (a_11*det (a));
-  slope = cos (angle)*[1; 0]/sqrt (a_11) + sin (angle)*across;
-  if (! (all (isfinite (slope)) && isreal (slope) && det (a) > 1e-12*trace (a)^2))
+  place = struct ("alpha1", point(1), "alpha2", point(2));
+  [a_11, a_12, a_22] = surface.mass (place, struct ("rhoA", 1));
+  [slope_1, slope_2] = surface.direction (place, angle);
+  slope = [slope_1; slope_2];
+  if (! (all (isfinite (slope)) && isreal (slope) && a_11*a_22 - a_12^2 > 1e-12*(a_11 + a_22)^2))
     scene_error ("initial.point is [%g %g]: the surface's chart is singular there", point);
   endif
   settings = {lsode_options("relative tolerance"), lsode_options("absolute tolerance"), lsode_options("step limit")};

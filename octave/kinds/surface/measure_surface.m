@@ -1,8 +1,11 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{history} =} measure_surface (@var{system}, @var{scene}, @var{times}, @var{states})
-## What is observed of a rod on a surface at the @var{times} (1-by-m): t, tip (3-by-m, m), q (N-by-m) with q_names, T,
-## U, Z, W, D (0), balance and energy_floor (J), angular_momentum about the origin (3-by-m), reaction (p-by-m, N/m, see
-## @code{normal_reaction}), and the centreline x, y, z (101-by-m, m) with the unit normals n_1, n_2, n_3 there.
+## What is observed of a rod on a surface at the @var{times} (1-by-m): t, tip and mid (3-by-m, m, of the tip and of
+## mid-span), psi and tip_psi (1-by-m, rad, the tangent's angles at its start and its tip in the tangent plane, from
+## the chart's first direction to its second, without jumps of 2 pi), q (N-by-m) with q_names, T, U, Z, W, D (0),
+## balance and energy_floor (J), angular_momentum about the origin (3-by-m), reaction (p-by-m, N/m, see
+## @code{normal_reaction}), support (3-by-m, N, see @code{surface_support}), and the centreline x, y, z (101-by-m, m)
+## with the unit normals n_1, n_2, n_3 there.
 ## @end deftypefn
 
 function history = measure_surface (system, scene, times, states)
@@ -22,12 +25,17 @@ function history = measure_surface (system, scene, times, states)
   history.balance = history.T + history.U + history.Z - history.W;
   history.energy_floor = system.energy_floor;
   history.reaction = normal_reaction (system, z, z_dot);
+  history.support = surface_support (system, scene, times, states);
   stations = linspace (0, scene.rod.length, 101).';
   fields = system.fields (z, z_dot, z_dot, stations);
   [history.x, history.y, history.z] = system.surface.position (fields);
   [history.n_1, history.n_2, history.n_3] = system.surface.normal (fields);
   history.alpha = {fields.alpha1, fields.alpha2};
-  history.tip = [history.x(end,:); history.y(end,:); history.z(end,:)];
+  place_of = @(k) [history.x(k,:); history.y(k,:); history.z(k,:)];
+  history.tip = place_of (101);
+  history.mid = place_of (51);
+  psi = unwrap (unwrap (system.surface.angle (fields), [], 1), [], 2);
+  [history.psi, history.tip_psi] = deal (psi(1,:), psi(end,:));
   history.largest_strain = max (max (abs (system.surface.strains (fields))));
 endfunction
 
@@ -68,3 +76,25 @@ endfunction
 %! assert (history.balance, history.T + history.Z - 7, 1e-9); assert (history.D, [0 0]);
 %! assert (norm (history.angular_momentum(:,1)), 3*2*3, 1e-9);
 %! assert (history.largest_strain < 1e-9); assert (numel (history.q_names), 6);
+%!test # tangent's angles as the start has them, along a rod that winds, and mid-span
+%! scene = struct ("surface", struct ("name", "cone", "half_angle", 0.5), "duration", 1, ...
+%!                 "rod", struct ("length", 0.2, "EA", 3, "EI", 1, "rhoA", 1), "model", struct ("modes", [9 9]));
+%! scene.initial = struct ("point", [1 0], "angle", 3);
+%! scene = check_surface_scene (setfield (scene, "solver", "tolerance", 1e-9));
+%! system = surface_rod (scene);
+%! history = measure_surface (system, scene, [0 1], [system.initial_state, system.initial_state]);
+%! assert (history.psi, [3 3], 1e-6);
+%! ## a geodesic of the cone is straight on its unrolled plane, whose angle about the tip it changes by
+%! [x, y] = deal (1 + 0.2*cos (3), 0.2*sin (3));
+%! assert (history.tip_psi, (3 - atan2 (y, x))*[1 1], 1e-6);
+%! middle = hypot (1 + 0.1*cos (3), 0.1*sin (3));
+%! assert (norm (history.mid(:,1)), middle, 1e-6); assert (history.mid(3,1), middle*cos (0.5), 1e-6);
+%! assert (norm (history.tip(:,1)), hypot (x, y), 1e-6);
+%!test # a tangent that turns beyond pi goes on
+%! scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 1, ...
+%!                 "rod", struct ("length", 1, "EA", 3, "EI", 1, "rhoA", 1), "model", struct ("modes", [12 12]));
+%! scene.initial.shape = @(xi) [sin(4*xi); 1 - cos(4*xi)]/4;
+%! scene = check_surface_scene (setfield (scene, "solver", "tolerance", 1e-9));
+%! system = surface_rod (scene);
+%! history = measure_surface (system, scene, 0, system.initial_state);
+%! assert ([history.psi, history.tip_psi], [0 4], 1e-6);

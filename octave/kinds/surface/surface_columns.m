@@ -1,7 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{names}, @var{table}] =} surface_columns (@var{scene}, @var{run})
-## What history.csv has of a @var{run} of a rod on a surface (see @code{measure_surface}): @var{names} with units and the
-## @var{table}, a row a name, a column a time.  The coefficients have the unit of the chart's coordinate.
+## What history.csv has of a @var{run} of a rod on a surface (see @code{measure_surface}): @var{names} with units and
+## the @var{table}, a row a name, a column a time.  The coefficients have the unit of the chart's coordinate;
+## smallest_reaction and largest_reaction are those of the normal reaction per length, reaction_x, reaction_y,
+## reaction_z all that holds the rod.
 ## @end deftypefn
 
 function [names, table] = surface_columns (scene, run)
@@ -9,14 +11,17 @@ function [names, table] = surface_columns (scene, run)
   [energies, joules] = energy_columns (history);
   names = [{"t [s]", "tip_x [m]", "tip_y [m]", "tip_z [m]"}, history.q_names, energies, ...
            {"angular_momentum_x [kg m^2/s]", "angular_momentum_y [kg m^2/s]", "angular_momentum_z [kg m^2/s]", ...
-            "smallest_reaction [N/m]", "largest_reaction [N/m]"}];
+            "smallest_reaction [N/m]", "largest_reaction [N/m]", "mid_x [m]", "mid_y [m]", "mid_z [m]", ...
+            "psi [rad]", "tip_psi [rad]", "reaction_x [N]", "reaction_y [N]", "reaction_z [N]"}];
   table = [history.t; history.tip; history.q; joules; history.angular_momentum; ...
-           min(history.reaction, [], 1); max(history.reaction, [], 1)];
+           min(history.reaction, [], 1); max(history.reaction, [], 1); history.mid; ...
+           history.psi; history.tip_psi; history.support];
 endfunction
 
 %!test
 %! history = struct ("t", 0, "tip", [1; 2; 3], "q", [4; 5], "T", 6, "U", 7, "Z", 8, "W", 9, "D", 0, ...
-%!                   "angular_momentum", [1; 2; 3], "reaction", [-1; 2]);
+%!                   "angular_momentum", [1; 2; 3], "reaction", [-1; 2], "mid", [3; 4; 5], "psi", 6, "tip_psi", 7, ...
+%!                   "support", [8; 9; 10]);
 %! history.q_names = {"alpha1_0", "alpha2_0"};
 %! [names, table] = surface_columns ([], struct ("history", history));
-%! assert (table.', [0 1 2 3 4 5 6 7 8 9 0 1 2 3 -1 2]); assert (numel (names), 16);
+%! assert (table.', [0 1 2 3 4 5 6 7 8 9 0 1 2 3 -1 2 3:10]); assert (numel (names), 24);

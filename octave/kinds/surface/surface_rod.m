@@ -38,7 +38,7 @@ function system = surface_rod (scene)
   system.mass_matrix = @(z) mass_matrix (z, inside, system, r);
   system.rate = @(t, y, interval) rate (t, y, interval, system);
   system.energies = @(z, z_dot) surface_energies (system, z, z_dot);
-  system.energy_floor = energy_floor (r.rhoA*r.length^3/3, scene.duration);
+  system.energy_floor = energy_floor (rod_moment_of_inertia (r.length, r.rhoA, 0), scene.duration);
   system.tangent_stiffness = @(varargin) tangent_stiffness (system, varargin{:});
   everywhere = linspace (0, r.length, 501).';
   system.refuse_singular = @(z, when) refuse_singular (surface, system.fields (z, z, z, everywhere), when);
@@ -53,7 +53,7 @@ function system = surface_rod (scene)
   per_coordinate = 1./max (max (abs (inside.values{1}))*scale(1), max (abs (inside.values{2}))*scale(2)).';
   system.initial_state = [start; velocity; 0];
   system.state_scale = [per_coordinate; per_coordinate/scene.duration; ...
-                        r.rhoA*r.length*abs(scene.gravity) + r.EI/r.length^2];
+                        rod_mass(r.length, r.rhoA)*abs(scene.gravity) + r.EI/r.length^2];
   system.breaks = scene.moment_breaks;
   system.forms = {"rate", "residual"};
   system.auto = "radau";
