@@ -31,7 +31,7 @@ endfunction
 %! assert ((still (h) - still (-h))/(2*h), at.springs.stiffness.*(jacobian*v), 1e-6);
 %!test # at two times they are those of each
 %! [system, q, v] = sample_state ();
-%! of = @(q, v) spring_forces (system.mechanism, marker_motion (system.mechanism, q, v));
+%! of = @(q, v) spring_forces (system.mechanism, markers_of_states (system.mechanism, q, v));
 %! [both, first, second] = deal (of ([q, 1.01*q], [v, -v]), of (q, v), of (1.01*q, -v));
 %! for name = {"tension", "stiffness", "damping", "energy", "dissipated"}
 %!   assert (both.(name{1}), [first.(name{1}), second.(name{1})], 1e-12*norm (both.(name{1})));

@@ -44,6 +44,9 @@ endfunction
 %!    body = history.bodies.(name{1});
 %!    assert (rod.(name{1}), body, 1e-9*max (abs (body(:))));
 %!  endfor
+%!  for name = {"reaction_x", "reaction_y"}  # of the hinge
+%!    assert (rod.(name{1}), history.joints(1).(name{1}), 1e-6*max (abs (history.joints(1).(name{1}))));
+%!  endfor
 %!  for name = {"T", "U", "Z", "W", "D"}
 %!    assert (rod.(name{1}), history.(name{1}), 1e-9*max (abs (history.(name{1}))) + 1e-15);
 %!  endfor
