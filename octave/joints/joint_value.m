@@ -34,12 +34,7 @@ function angle = stated_angle (joint, bodies)
 endfunction
 
 function angle = tangent_of (body, station)
-  base = struct ();
-  if (! isempty (body.rod.curvature))
-    base.axis = rod_axis (body.rod, 16, rod_section (body.rod, body.model));
-  endif
-  [~, ~, angle] = undeformed_places (base, station);
-  angle += body.initial.phi;
+  angle = body.initial.phi + undeformed_angle (body.rod, body.model, station);
 endfunction
 
 %!assert (joint_value (struct ("kind", "position", "value", [1 2]), "joints(1).value", []) (5), [1 2; 0 0; 0 0])

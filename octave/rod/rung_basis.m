@@ -51,6 +51,10 @@ endfunction
 
 ## the rod's own lowest frequency, or what joints leave of it, moves a mode without stiffness away from 0
 function modes = modes_that_bend (mass, stiffness, length, n)
+  modes = zeros (rows (mass) - 1, n);
+  if (n == 0)
+    return;
+  endif
   shift = min ((diag (stiffness)./diag (mass))(1:end-1));
   modes = lowest_modes (mass, stiffness + shift*mass, n + 1);
   V = modes(1:end-1,:);
@@ -108,3 +112,12 @@ endfunction
 %!   along = functions_at (base, [0.5; 2])*B;
 %!   assert (along*(a.stiffness_matrix \ along(2,:).'), [0.5; 2]/5, 1e-12);
 %! endfor
+%!test # a torsion spring of a rigid rod, and of one that bends: k = EI/l (see linear_rod.m)
+%! scene = struct ("rod", struct ("length", 1, "EA", 1e6, "EI", 1, "rhoA", 1), "duration", 1);
+%! scene.model = struct ("energy", "uniaxial", "rotary_inertia", false);
+%! scene = check_scene (setfield (scene, "joints", struct ("kind", "torsion_spring", "stations", 0, "stiffness", 1)));
+%! rung = struct ("sines", [], "bending", 0, "longitudinal", 0, "axial", "none", "stiffening", "foreshortening");
+%! assert (highest_frequency (rod_system (scene, build_model (scene, rung))), sqrt (3), 1e-6);
+%! system = rod_system (scene, build_model (scene, setfield (rung, "bending", 1)));
+%! [~, squares] = free_modes (system.stiffness, system.mass);
+%! assert (sqrt (squares(1)), 1.55729786, 1e-6);

@@ -35,6 +35,8 @@ endfunction
 %!   check (field{1}, NaN, sprintf ("is NaN: it takes nonnegative number in %s", field{2}));
 %! endfor
 %! check ("zoom", -2, "is -2: it takes nonnegative number");
+%!test
+%! check ("joints", 3, "is 3: it takes struct array, or cell array of structs");
 
 %!test # a size in pixels
 %! for bad = {[1280 721], "1280    721"; [1280 -720], "1280   -720"; 720, "720"; [10 10], "10   10"; ...

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{kind} =} mechanism_kind ()
-## Several bodies, held by joints, among the kinds of scenes (see @code{kind_of}); or one rod with joints of which one
-## constrains it, or that is curved.
+## Several bodies, held by joints, among the kinds of scenes (see @code{kind_of}); or one rod with joints, where one of
+## them constrains it, dampers couple its modes, or it is curved.
 ## @end deftypefn
 
 function kind = mechanism_kind ()
@@ -32,10 +32,11 @@ function kind = mechanism_kind ()
   kind.reference = {"radau", 1e-12};
 endfunction
 
-## whose joints are springs and loads; a curved one may have none
+## whose joints are springs and loads, with dampers that leave its modes apart; a curved one may have none
 function yes = one_straight_rod (given)
   straight = isfield (given, "rod") && ! (isfield (given.rod, "curvature") && ! isempty (given.rod.curvature));
-  yes = isfield (given, "rod") && (isempty (given.joints) || (straight && are_forces (given.joints)));
+  yes = isfield (given, "rod") && (isempty (given.joints) || (straight && are_forces (given.joints) ...
+                                                             && ! dampers_couple (given)));
 endfunction
 
 function [rung, note] = stated_rung (scene)

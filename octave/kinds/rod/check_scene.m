@@ -13,7 +13,7 @@ function scene = check_scene (given)
   scene = take_fields (without_probed (given), scene_fields (), "a scene");
   refuse_missing_solver (scene.solver.name, "lsode_bdf");
   check_section (scene.rod);
-  scene.joints = check_joints (on_the_rod (scene.joints), scene);
+  scene.joints = joints_of_rod (scene);
   loads = [loads_of(scene), joint_loads(scene.joints)];
   [scene.moment_breaks, scene.probed] = load_breaks (loads, scene.moment_breaks, scene);
   scene.joints = with_values (scene.joints, scene);
@@ -38,16 +38,6 @@ function scene = check_scene (given)
                   " \"none\""]);
   endif
   scene.solver.tolerance = tolerance_in_metres (scene.solver.tolerance, plane_pixel (scene, scene.rod.length));
-endfunction
-
-## where they do not say on which body
-function joints = on_the_rod (joints)
-  if (isstruct (joints))
-    joints = num2cell (joints);
-  endif
-  for k = find (cellfun (@(joint) isstruct (joint) && ! isfield (joint, "bodies"), joints(:).'))
-    joints{k}.bodies = 1;
-  endfor
 endfunction
 
 ## the tangent at O is prescribed: a moment there would do nothing, and phi follows

@@ -15,10 +15,11 @@ function [y_dot, phi_ddot] = hinged_rod_rate (t, y, interval, n, c)
   t = min (max (t, interval(1)), interval(2));
   c.interval = interval;
   loads = loads_of_rod (t, motion, c);
+  taken = lost = 0;
   if (! isempty (c.joined))
     motion.phi_dot = rod_turning (motion, c.rod, c.gravity, loads);
+    [loads, taken, lost] = with_joints (loads, t, motion, c);
   endif
-  [loads, taken, lost] = with_joints (loads, t, motion, c);
   [V_ddot, phi_dot, torque, power, dissipated, phi_ddot] = rod_rates (motion, c.rod, c.gravity, loads);
   y_dot = [motion.V_dot; phi_dot; V_ddot; torque; power + taken; dissipated + lost];
 endfunction

@@ -54,6 +54,13 @@ endfunction
 %!test # springs, dampers and loads at once, on a hinged rod and in a hub
 %! compare (setfield (swinging (), "initial", struct ("phi_dot", 0.1)));
 %! compare (setfield (swinging (), "rotation", @(t) [sin(t)-t, cos(t)-1, -sin(t)]));
+%!test # a very stiff spring at the hinge is a hub at rest
+%! scene = rmfield (swinging (), "joints");
+%! scene.solver.tolerance = 1e-6;
+%! tip = @(scene) driver (scene, "output", "").history.tip_y;
+%! hub = tip (setfield (scene, "rotation", @(t) [0 0 0]));
+%! spring = struct ("kind", "torsion_spring", "stations", 0, "stiffness", 1e7);
+%! assert (tip (setfield (scene, "joints", spring)), hub, 1e-5);
 %!test # a spring at the hinge and one to the ground at mid-span
 %! scene = setfield (swinging (), "tip_mass", 0);
 %! compare (setfield (scene, "joints", scene.joints(1:2)));

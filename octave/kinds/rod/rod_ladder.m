@@ -79,3 +79,15 @@ endfunction
 %! assert (ladder.left_out (reference, less, "bending"), max (abs (third(:))));
 %! assert (ladder.left_out (reference, rung, "bending"), 0);
 %! assert (ladder.left_out (reference, less, "stiffening"), NaN);
+%!test # a rod with springs: few modes of the rod and its springs, whose error is what a far richer model says
+%! scene.rod = struct ("length", 1, "EA", 1e5, "EI", 1, "rhoA", 1);
+%! scene.joints = {struct("kind", "torsion_spring", "stations", 0, "stiffness", 0.5), ...
+%!                 struct("kind", "spring", "stations", 0.4, "point", [0.2 0.5], "stiffness", 30, "rest", 0.5385164807)};
+%! [scene.gravity, scene.duration, scene.frames_per_second, scene.solver.tolerance] = deal (0.1, 2, 20, 1e-5);
+%! scene = check_scene (setfield (scene, "model", "energy", "uniaxial"));
+%! choice = choose (ladder_of (rod_kind (), scene), scene.solver.tolerance);
+%! assert (choice.rung.bending <= 4); assert (choice.rung.axial, "none");
+%! rich = trial_run (scene, struct ("sines", [], "bending", 15, "longitudinal", 5, "axial", "dynamic", ...
+%!                                  "stiffening", "foreshortening"));
+%! true_error = distance (choice.trial, rich);
+%! assert (true_error <= 1e-5); assert (choice.error_m/true_error, 1, 0.3);
