@@ -6,7 +6,8 @@
 ## 1e-6 of their distances take.
 ##
 ## Leaves shape.csv (41 places of each rod), statics.csv (figures), shape.svg and shape.png in the folder of the scene's
-## output.  @var{found} is what @code{at_rest} returns, with stable (whether no mode grows) and shape (see there).
+## output.  @var{found} is what @code{at_rest} returns, with shape, supports (see @code{mechanism_at_rest}), stable (whether no
+## mode grows) and slowest (rad/s, the slowest vibration).
 ## @end deftypefn
 
 function found = statics (scene = "paper", varargin)
@@ -15,6 +16,7 @@ function found = statics (scene = "paper", varargin)
   [scene, kind, output] = study_scene (scene, options, @scene_at_rest);
   result = at_rest (kind, scene, time, @(found) vertcat (found.balance.shape (found.q){:})(:).');
   result.shape = result.balance.shape (result.q);
+  result.supports = result.balance.supports (time, result.q, result.lambda);
   result.stable = all (result.vibrations.rate == 0 & result.vibrations.damping >= -1e-9);
   result.slowest = result.vibrations.omega(1);
   describe (result, time);
@@ -44,6 +46,9 @@ function describe (found, time)
   for k = 1:numel (found.shape)
     printf ("  %s: tip at (%s) m\n", found.balance.names{k}, strjoin (cellfun (
             @(x) sprintf ("%.9g", x), num2cell (found.shape{k}(end,:)), "uniformoutput", false), ", "));
+  endfor
+  for row = found.supports.'
+    printf ("  %s: %.9g\n", row{1}, row{2} + 0);  # no -0
   endfor
 endfunction
 

@@ -132,6 +132,8 @@ function text = rows_of_runs (scenes)
     has(:,k) = [! isempty(kind.sized (scene, 8)) && numel(kind.reference) == 2
                 numel(rungs) > 1
                 any(ismember (system.forms, {"rate", "constrained"}))
+                rests(scenes{k})
+                rests(scenes{k})
                 isfield(kind.drawing (scene, run), "spectrum")
                 iscellstr(kind.warnings (scene, run))
                 ! isempty(kind.dropped (scene, run, run))
@@ -139,17 +141,25 @@ function text = rows_of_runs (scenes)
                 all(ismember ({"psi", "tip_psi"}, columns_of))
                 all(ismember ({"reaction_x", "reaction_y"}, columns_of))];
   endfor
-  names = {"`make chart`", "`make models`", "`make stability`", "spectra of the tip", ...
+  names = {"`make chart`", "`make models`", "`make stability`", "`make statics`", "`make modes`", "spectra of the tip", ...
            "warnings where the model does not hold", "what all its models drop, in the estimated error", ...
            "place of mid-span over time", "angles of the tangent at both ends over time", ...
            "reactions of the supports over time"};
   cells = repmat ({"not yet"}, size (has));
   cells(has) = {"yes"};
-  cells{6,4} = "it drops nothing";
+  cells{8,4} = "it drops nothing";
   text = "";
   for j = 1:numel (names)
     text = [text, table_row(names{j}, cells(j,:))];
   endfor
+endfunction
+
+## one rod is a body there
+function yes = rests (given)
+  kind = kind_of (scene_at_rest (given));
+  scene = kind.check (scene_at_rest (given));
+  balance = kind.at_rest (scene, kind.sized (scene, 4));
+  yes = isfinite (balance.residual (0, balance.start, 0*balance.start, zeros (balance.multipliers, 1))(1));
 endfunction
 
 function text = table_row (name, cells)

@@ -20,6 +20,8 @@
 ## the largest displacement (m) that goes with a small change of q, on rods of the length (m)
 ## @item shape (q)
 ## centrelines: a cell array, a body each, of [x y] (places-by-2, m)
+## @item supports (t, q, lambda)
+## what holds the bodies at rest: rows of a name, with its unit, and a number, as columns of history.csv have them
 ## @item most
 ## the largest number of base functions that is of use
 ## @item bodies
@@ -39,6 +41,7 @@ function balance = mechanism_at_rest (scene, mechanism)
   balance.size = @(step) max (abs (step)./system.q_scale);
   balance.length = max (cellfun (@(model) model.length, mechanism.models));
   balance.shape = @(q) shape (mechanism, q);
+  balance.supports = @(t, q, lambda) supports (system, scene, t, q, lambda);
   balance.most = 32;
   for k = 1:numel (mechanism.models)
     balance.bodies{k} = index_of (mechanism, k);
@@ -49,6 +52,17 @@ endfunction
 function r = residual (system, t, q, v, lambda)
   at = system.at (t*ones (1, columns (q)), q, v);
   r = [at.force - system.reaction(at, repmat (lambda, 1, columns (q))); at.constraints.residual];
+endfunction
+
+function rows = supports (system, scene, t, q, lambda)
+  forces = joint_forces (system.mechanism, system.at (t, q, 0*q), lambda);
+  rows = cell (0, 2);
+  for j = find (! ismember ({scene.joints.kind}, {"moment", "force"})(:).')
+    name = scene.joints(j).name;
+    rows = [rows; {["reaction_x of " name " [N]"], forces(j).reaction_x
+                   ["reaction_y of " name " [N]"], forces(j).reaction_y
+                   ["torque of " name " [N m]"], forces(j).torque}];
+  endfor
 endfunction
 
 function D = tangent (system, t, q, lambda)

@@ -20,9 +20,15 @@ function balance = surface_at_rest (scene, system)
   balance.shape = @(z) {shape(system, system.fields (z, 0*z, 0*z, stations))};
   b = surface_basis (scene, system.place, stations);
   balance.interpolation = [b.values{1}; b.values{2}];
+  balance.supports = @(t, z, lambda) supports (system, scene, t, z);
   balance.most = 16;  # more polynomials are too much alike
   balance.bodies = {1:system.n};
   balance.names = {"rod"};
+endfunction
+
+function rows = supports (system, scene, t, z)
+  R = surface_support (system, scene, t, [z; 0*z; 0]);
+  rows = {"reaction_x [N]", R(1); "reaction_y [N]", R(2); "reaction_z [N]", R(3)};
 endfunction
 
 function places = shape (system, fields)
