@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{arguments} =} environment_options ()
 ## The arguments of @code{driver} from the environment, as `make simulate' passes them: SCENE, MODES, SOLVER,
-## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES (yes or no), BUDGET and TIME, those that are set and not empty.
+## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES (yes or no), BUDGET, TIME and SPEEDS (0:0.5:12), those that are set and not empty.
 ## @end deftypefn
 
 function arguments = environment_options ()
@@ -10,7 +10,7 @@ function arguments = environment_options ()
     scene = "paper";
   endif
   arguments = {scene};
-  for name = {"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "BUDGET", "TIME"}
+  for name = {"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "BUDGET", "TIME", "SPEEDS"}
     value = getenv (name{1});
     if (! any (strcmp (name{1}, {"SOLVER", "OUTPUT"})))
       value = number_or_text (value);
@@ -21,8 +21,13 @@ function arguments = environment_options ()
   endfor
 endfunction
 
-## "7 7", "1920x1080" and "1e-6" are numbers, yes and no are true and false
+## "7 7", "1920x1080", "0:0.5:12" and "1e-6" are numbers, yes and no are true and false
 function value = number_or_text (text)
+  range = str2double (strsplit (text, ":"));
+  if (numel (range) == 3 && all (isfinite (range)))
+    value = range(1):range(2):range(3)*(1 + eps);
+    return;
+  endif
   if (any (strcmpi (text, {"yes", "no"})))
     value = strcmpi (text, "yes");
     return;
@@ -43,6 +48,8 @@ endfunction
 %!                                    "output", "a folder", "pictures", false});
 %!   setenv ("OUTPUT", "2024");
 %!   assert (environment_options (){end-2}, "2024");  # a folder
+%!   setenv ("SPEEDS", "0:0.1:0.3");
+%!   assert (environment_options (){end}, 0:0.1:0.3, 1e-15);
 %! unwind_protect_cleanup
-%!   cellfun (@(name) setenv (name, ""), {"MODES", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES"});
+%!   cellfun (@(name) setenv (name, ""), {"MODES", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "SPEEDS"});
 %! end_unwind_protect

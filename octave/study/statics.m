@@ -11,7 +11,7 @@
 ## @end deftypefn
 
 function found = statics (scene = "paper", varargin)
-  [time, options] = taken_option (varargin, "time", 0, @(t) isreal (t) && isfinite (t) && t >= 0, ...
+  [time, options] = taken_option (varargin, "time", 0, @(t) isscalar (t) && isreal (t) && isfinite (t) && t >= 0, ...
                                   "a time in s, not negative");
   [scene, kind, output] = study_scene (scene, options, @scene_at_rest);
   result = at_rest (kind, scene, time, @(found) vertcat (found.balance.shape (found.q){:})(:).');

@@ -9,7 +9,7 @@
 
 function [scene, kind, output, left] = study_scene (which, options, change = @(scene) scene)
   start = tic ();
-  [budget, options] = taken_option (options, "budget", 60, @(s) isreal (s) && s > 0, "seconds, a positive number");
+  [budget, options] = taken_option (options, "budget", 60, @(s) isscalar (s) && isreal (s) && s > 0, "seconds, a positive number");
   left = @() budget - toc (start);
   [scene, name] = load_scene (which);
   [scene, output] = take_options (scene, fullfile ("output", name), options);

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{value}, @var{options}] =} taken_option (@var{options}, @var{name}, @var{default}, @var{is_good}, @
 ##   @var{takes})
-## The last @var{value} of an option in a cell array of names and values, a number for which @var{is_good} is true (else an
+## The last @var{value} of an option in a cell array of names and values, numbers for which @var{is_good} is true (else an
 ## error says that it @var{takes} something else), or its @var{default}; and the other @var{options}.
 ## @end deftypefn
 
@@ -10,7 +10,7 @@ function [value, options] = taken_option (options, name, default, is_good, takes
   at = find (strcmp (options(1:2:end), name));
   if (! isempty (at) && numel (options) >= 2*at(end))
     value = options{2*at(end)};
-    if (! (isnumeric (value) && isscalar (value) && is_good (value)))
+    if (! (isnumeric (value) && ! isempty (value) && is_good (value)))
       scene_error ("%s is %s: it takes %s", name, strtrim (disp (value)), takes);
     endif
     options([2*at - 1; 2*at]) = [];

@@ -44,10 +44,9 @@ function modes = complex_modes (M, C, K)
   A = [zeros(p), unit*eye(p); -(R.' \ K / R)/unit, -(R.' \ C / R)];
   [vectors, values] = eig (A);
   values = diag (values).';
-  kept = find (imag (values) > 1e-9*unit | (abs (imag (values)) <= 1e-9*unit & real (values) >= -1e-9*unit));
-  slow = find (abs (imag (values)) <= 1e-9*unit & real (values) < -1e-9*unit);  # creeps: the slower of two
-  [~, order] = sort (-real (values(slow)));
-  kept = [kept, slow(order)](1:min (end, p));
+  lone = find (abs (imag (values)) <= 1e-9*unit);  # two a mode: the one that grows, or creeps back slower
+  [~, order] = sort (real (values(lone)), "descend");
+  kept = [find(imag (values) > 1e-9*unit), lone(order(1:numel (lone)/2))];
   values = values(kept);
   modes.omega = abs (values).*(imag (values) > 1e-9*unit);
   modes.damping = -real (values)./max (abs (values), realmin).*(imag (values) > 1e-9*unit);
@@ -69,3 +68,6 @@ endfunction
 %! modes = vibrations (linear);
 %! values = eig ([zeros(2), eye(2); -linear.M\linear.K, zeros(2)]);
 %! assert (max (-modes.damping.*modes.omega), max (real (values)), 1e-10);
+%!test # a rigid motion beside a damped one is one mode, not two
+%! modes = vibrations (struct ("M", eye (3), "C", diag ([0 0.6 0]), "K", diag ([0 9 16])));
+%! assert (modes.omega, [0 3 4], 1e-9); assert (modes.damping, [0 0.1 0], 1e-9); assert (modes.rate, [0 0 0], 1e-9);
