@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{found} =} campbell (@var{scene}, @var{option}, @var{value}, @dots{})
 ## Campbell's diagram of one rod, in a hub or free to turn about its hinge: the frequencies of its vibrations about steady
 ## rotation against the angular velocity, without weight and loads.  Arguments as for @code{driver}, and "speeds": angular
-## velocities (rad/s, rising; default: 13 from 0 to what the scene's hub reaches).  Without stated modes it takes 20
-## bending modes and 6 longitudinal ones, with foreshortening: without it a rod loses its stiffness as it turns.
+## velocities (rad/s, rising; default: 13 from 0 to what the scene's hub reaches).  Without stated modes it takes 30
+## bending modes and 30 longitudinal ones, with foreshortening: without it a rod loses its stiffness as it turns.
 ##
 ## Branches are followed by the modal assurance criterion (Allemang and Brown 1982) in steps of a fiftieth of the range at most.  Leaves
 ## campbell.csv, campbell.svg and campbell.png.  @var{found} is a struct of speeds (1-by-m), f (Hz, a row a branch),
@@ -56,7 +56,11 @@ function scene = turning_scene (scene)
 endfunction
 
 function found = branches (kind, scene, speeds, count)
-  model = kind.build (scene, rung_to_turn (kind, scene));
+  rung = kind.stated (scene);
+  if (isempty (rung))
+    rung = kind.far_richer (scene, []);
+  endif
+  model = kind.build (scene, rung);
   q = [];
   last = [];
   found = struct ("speeds", speeds, "f", [], "growth", [], "mac", []);
@@ -81,15 +85,6 @@ function speeds = fine_steps (speeds)
     parts = ceil (50*(speeds(k+1) - speeds(k))/speeds(end));
     speeds = [speeds(1:k), speeds(k) + (1:parts-1)/parts*(speeds(k+1) - speeds(k)), speeds(k+1:end)];
   endfor
-endfunction
-
-function rung = rung_to_turn (kind, scene)
-  rung = kind.stated (scene);
-  if (isempty (rung) && isempty (scene.rod.curvature))
-    rung = struct ("sines", [], "bending", 20, "longitudinal", 6, "axial", "dynamic", "stiffening", "foreshortening");
-  elseif (isempty (rung))
-    rung = curved_rung ([14 20]);
-  endif
 endfunction
 
 ## which of the shapes are those of the speed before

@@ -6,12 +6,13 @@
 
 function scene = scene_at_rest (given)
   scene = given;
-  if (strcmp (kind_of (given).name, "rod"))
-    if (! isfield (scene, "joints"))
-      scene.joints = {};
-    endif
-    scene = as_bodies (scene);
+  if (! isstruct (given) || isfield (given, "surface"))
+    return;
   endif
+  if (! isfield (given, "joints"))
+    scene.joints = {};
+  endif
+  scene = as_bodies (scene);
   if (isfield (scene, "bodies") && iscell (scene.bodies))
     scene.bodies = cellfun (@placed, scene.bodies, "uniformoutput", false);
   endif
