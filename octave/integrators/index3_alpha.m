@@ -47,7 +47,7 @@ function [z, converged] = step (t, z, c, h, system)
                                [-at.constraints.residual; excess./stiffness], [0*lambda; 1./(factor*stiffness)]);
     next += dq/factor;
     lambda += pull(1:numel (lambda))/factor;
-    sigma += pull(numel (lambda)+1:end)/factor;
+    sigma += pull(numel (lambda)+1:end)(:)/factor;  # a column also of none
     change = max (abs (dq)./system.q_scale);
     converged = change < 1e-12 || (change < 1e-10 && change >= last);
     if (converged || (sweep > 3 && ! (change < 1)))

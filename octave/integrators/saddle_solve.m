@@ -12,7 +12,7 @@
 function [x, lambda] = saddle_solve (system, t, mass, jacobian, f, g, compliance = 0)
   n = rows (mass);
   c = rows (jacobian);
-  size_of_mass = mean (abs (diag (mass)));  # rows of like size
+  size_of_mass = full (mean (abs (diag (mass))));  # rows of like size
   compliance = compliance.*ones (c, 1);
   matrix = [mass, size_of_mass*jacobian.'; size_of_mass*jacobian, -size_of_mass^2*spdiags(compliance, 0, c, c)];
   warning_state = warning ("off", "all");

@@ -43,7 +43,7 @@ function [z, converged] = step (t, z, h, system)
                                [-there.constraints.residual; excess./stiffness], [0*lambda; 2/h^2./stiffness]);
     next += dq;
     lambda += pull(1:numel (lambda))/h;
-    sigma += pull(numel (lambda)+1:end)*2/h^2;
+    sigma += pull(numel (lambda)+1:end)(:)*2/h^2;  # a column also of none
     change = max (abs (dq)./system.q_scale);
     converged = change < 1e-13 || (change < 1e-10 && change >= last);
     if (converged || (sweep > 3 && ! (change < 1)))
@@ -56,7 +56,7 @@ function [z, converged] = step (t, z, h, system)
   [mass, jacobian] = system.matrices (there);
   ## M v = p - Phi_q' mu, Phi_q v + Phi_t = 0
   [v, mu] = saddle_solve (system, t + h, mass, jacobian, p, -there.constraints.rate);
-  p -= jacobian.'*mu;
+  p -= full (jacobian.'*mu);  # with one mu it would be sparse
   power = system.work_rate (middle, (lambda + mu)/h);
   z = [next; v; z(2*n+1:2*n+2) + h*[power; middle.dissipated]; p];
 endfunction

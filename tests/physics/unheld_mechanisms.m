@@ -36,3 +36,19 @@ endfunction
 %!                             "stiffness", 100);
 %! history = unheld_mechanisms ({spring(0), spring(1)});
 %! assert (center_of (history), [0.5; 0] + [0; 2*9.81/200]*(cos (10*history.t) - 1), 1e-6);
+%!test # one constraint and no spring, one constraint and one spring, by methods of equal steps: the whole falls
+%! bar = struct ("rod", struct ("length", 1, "EA", 1e6, "EI", 100, "rhoA", 2), "model", struct ("modes", [0 0]));
+%! between = {struct("kind", "angle", "bodies", [1 2], "stations", [1 0])
+%!            [struct("kind", "slider", "bodies", [1 2], "stations", [1 0.5], "stiffness", 0), ...
+%!             struct("kind", "spring", "bodies", [1 2], "stations", [1 0], "stiffness", 10)]};
+%! lastwarn ("");
+%! for joints = between.'
+%!   for name = {"variational", "generalized_alpha"}
+%!     scene = struct ("duration", 0.1, "frames_per_second", 20, "solver", struct ("name", name{1}, "step", 1e-3));
+%!     scene.bodies = {bar, setfield(bar, "initial", struct ("x", 1.5, "y", 0, "phi", 0.3))};
+%!     scene.joints = num2cell (joints{1});
+%!     history = driver (scene, "output", "").history;
+%!     height = (history.bodies(1).y + history.bodies(1).tip_y + history.bodies(2).y + history.bodies(2).tip_y)/4;
+%!     assert (height, height(1) - 9.81*history.t.^2/2, 1e-4); assert (lastwarn (), "");
+%!   endfor
+%! endfor
