@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{arguments} =} environment_options ()
 ## The arguments of @code{driver} from the environment, as `make simulate' passes them: SCENE, MODES, SOLVER,
-## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES (yes or no), BUDGET, TIME and SPEEDS (0:0.5:12), those that are set and not empty.
+## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES (yes or no), BUDGET, TIME and SPEEDS (0:0.5:12), those that are set
+## and not empty.
 ## @end deftypefn
 
 function arguments = environment_options ()

@@ -7,8 +7,8 @@
 ## as solver.name has it
 ## @item form
 ## of the equations that it takes: "rate" (y_dot of a state and a time), "oscillators" (the same with its linear part,
-## see @code{modal_form}), "momenta", "accelerations" (see @code{momenta_of_rod}, @code{accelerations_of_rod}), "residual"
-## (see @code{surface_rod}) or "constrained" (see @code{mechanism_system})
+## see @code{modal_form}), "momenta", "accelerations" (see @code{momenta_of_rod}, @code{accelerations_of_rod}),
+## "residual" (see @code{surface_rod}) or "constrained" (see @code{mechanism_system})
 ## @item run
 ## the function (system, times, y, solver) = [states, steps]; see @code{integrate}
 ## @item order
@@ -16,8 +16,8 @@
 ## @item adaptive
 ## whether steps follow from the tolerance; else they are equal
 ## @item share
-## the part of the tolerance that a step may be off by is 1/share, so that the largest error of all frames stays near it:
-## a general method has to follow every oscillation (measured on the scene `paper', tests of @code{integrate})
+## the part of the tolerance that a step may be off by is 1/share, so that the largest error of all frames stays near
+## it: a general method has to follow every oscillation (measured on the scene `paper', tests of @code{integrate})
 ## @end table
 ## @end deftypefn
 

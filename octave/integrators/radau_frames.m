@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{frames}, @var{y}] =} radau_frames (@var{system}, @var{rule}, @var{window}, @var{before}, @
 ##   @var{h}, @var{t}, @var{y})
-## States at the times @var{t} (1-by-m, s) within a @var{window} (see @code{radau_window}) of panels of @var{h} (s) from
-## the state @var{before} on, a struct of q, v, lambda, W, D (a column a time), from its polynomials, and its last state
-## @var{y}: all moved onto the constraints.
+## States at the times @var{t} (1-by-m, s) within a @var{window} (see @code{radau_window}) of panels of @var{h} (s)
+## from the state @var{before} on, a struct of q, v, lambda, W, D (a column a time), from its polynomials, and its last
+## state @var{y}: all moved onto the constraints.
 ## @end deftypefn
 
 function [frames, y] = radau_frames (system, rule, window, before, h, t, y)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{rule} =} radau_rule (@var{s})
 ## Radau IIA of @var{s} stages, odd (Hairer and Wanner, Solving Ordinary Differential Equations II, IV.5 and IV.8):
-## collocation at the zeros of d^(s-1)/dx^(s-1) (x^(s-1) (x - 1)^s), a struct of c (1-by-s), A (s-by-s), inverse
-## (of A), its eigenvectors T and eigenvalues (the real one, then the pairs, each from above the axis) and e (1-by-s, the
+## collocation at the zeros of d^(s-1)/dx^(s-1) (x^(s-1) (x - 1)^s), a struct of c (1-by-s), A (s-by-s), inverse (of
+## A), its eigenvectors T and eigenvalues (the real one, then the pairs, each from above the axis) and e (1-by-s, the
 ## error formula's weights of what the stages have beyond the start).
 ## @end deftypefn
 

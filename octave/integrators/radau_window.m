@@ -2,8 +2,8 @@
 ## @deftypefn {} {[@var{window}, @var{why}] =} radau_window (@var{system}, @var{rule}, @var{y}, @var{h}, @var{panels}, @
 ##   @var{guess}, @var{tolerance}, @var{whole})
 ## So many @var{panels} of @var{h} (s) of @code{integrate_radau} from the state @var{y} (t, q, v, a, lambda, sigma) on:
-## the equations of all stages of all panels are evaluated at once, and Newton's iteration goes through all of them, from
-## [q, v] = @var{guess} (times) on.
+## the equations of all stages of all panels are evaluated at once, and Newton's iteration goes through all of them,
+## from [q, v] = @var{guess} (times) on.
 ##
 ## @var{window}: converged (otherwise it says @var{why}), iterations, error_ratio (1-by-panels, above 1: too long), and
 ## of the panels q, v, a, lambda, sigma (cells of a stage each, rows-by-panels), q_start, v_start, power and dissipated
@@ -12,8 +12,8 @@
 ## The springs' tensions sigma are unknowns of Newton's iteration, as multipliers are: for stiff springs it converges
 ## then as for the joints that they tend to; otherwise k would multiply what their directions turn within the step.
 ##
-## Newton's matrix is that of each panel's middle stage, or, where @var{whole} is true, of every stage where it is, which
-## costs more: where stiff rods turn much within a panel, and beyond a singular position, where the constraints'
+## Newton's matrix is that of each panel's middle stage, or, where @var{whole} is true, of every stage where it is,
+## which costs more: where stiff rods turn much within a panel, and beyond a singular position, where the constraints'
 ## gradients point the other way, one matrix would not do.
 ## @end deftypefn
 

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{base} =} base_functions (@var{longitudinal}, @var{transversal}, @var{length})
-## The base functions of a rod of that @var{length} (m) by their mode numbers, as vectors: (2), (3); of the longitudinal
-## ones also -part, the elongation by a force at the station part*length (see @code{elongation_numbers}), and of the
-## transversal ones -1 and -2, corrections for moments at O and at the tip.
+## The base functions of a rod of that @var{length} (m) by their mode numbers, as vectors: (2), (3); of the
+## longitudinal ones also -part, the elongation by a force at the station part*length (see @code{elongation_numbers}),
+## and of the transversal ones -1 and -2, corrections for moments at O and at the tip.
 ## @end deftypefn
 
 function base = base_functions (longitudinal, transversal, length)

@@ -12,8 +12,8 @@
 ## the points that tell two motions apart (points-by-frames, m; z where they leave the plane; see @code{distance})
 ## @end table
 ##
-## Of a run @var{before} the energies are known: work and what dissipates are then integrated to a share of what changes.
-## A run that leaves its energy balance is an error, but that "auto" tries with less first, three times.
+## Of a run @var{before} the energies are known: work and what dissipates are then integrated to a share of what
+## changes. A run that leaves its energy balance is an error, but that "auto" tries with less first, three times.
 ## @end deftypefn
 
 function run = run_model (kind, scene, model, solver = scene.solver, before = [])

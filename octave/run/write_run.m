@@ -2,9 +2,9 @@
 ## @deftypefn {} {@var{summary} =} write_run (@var{output}, @var{kind}, @var{scene}, @var{run}, @var{summary}, @
 ##   @var{start})
 ## All files of a @var{run} of a scene of a @var{kind} (see @code{kind_of}) into the folder of @var{output} (see
-## @code{take_options}), and what a person at the terminal wants to know of it.  The numbers come first, history.csv and
-## summary.json, then the pictures of the kind's drawing (see @code{draw_pictures}); what of them cannot be made is a
-## warning.  The summary comes back with that, and with the seconds of each part, those since @var{start} (a tic).
+## @code{take_options}), and what a person at the terminal wants to know of it.  The numbers come first, history.csv
+## and summary.json, then the pictures of the kind's drawing (see @code{draw_pictures}); what of them cannot be made is
+## a warning.  The summary comes back with that, and with the seconds of each part, those since @var{start} (a tic).
 ## @end deftypefn
 
 function summary = write_run (output, kind, scene, run, summary, start)

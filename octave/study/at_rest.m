@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{found} =} at_rest (@var{kind}, @var{scene}, @var{t}, @var{measure})
-## The equilibrium of a checked scene of a @var{kind} (see @code{kind_of}) under its loads at the time @var{t} (s), with
-## the modes that it states, or with 4, 8, 16 and 32 base functions of each sort until none of @var{measure} (found), a
-## row of numbers, changes by more than 1e-6 of itself, or 1e-9 of the largest.
+## The equilibrium of a checked scene of a @var{kind} (see @code{kind_of}) under its loads at the time @var{t} (s),
+## with the modes that it states, or with 4, 8, 16 and 32 base functions of each sort until none of @var{measure}
+## (found), a row of numbers, changes by more than 1e-6 of itself, or 1e-9 of the largest.
 ##
 ## @var{found} is a struct of balance (see @code{mechanism_at_rest}), q, lambda and linear (see @code{equilibrium}),
 ## vibrations (see @code{vibrations}), functions (how many of each sort, NaN: stated) and change, of each number by the

@@ -1,13 +1,14 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{found} =} campbell (@var{scene}, @var{option}, @var{value}, @dots{})
-## Campbell's diagram of one rod, in a hub or free to turn about its hinge: the frequencies of its vibrations about steady
-## rotation against the angular velocity, without weight and loads.  Arguments as for @code{driver}, and "speeds": angular
-## velocities (rad/s, rising; default: 13 from 0 to what the scene's hub reaches).  Without stated modes it takes 30
-## bending modes and 30 longitudinal ones, with foreshortening: without it a rod loses its stiffness as it turns.
+## Campbell's diagram of one rod, in a hub or free to turn about its hinge: the frequencies of its vibrations about
+## steady rotation against the angular velocity, without weight and loads.  Arguments as for @code{driver}, and
+## "speeds": angular velocities (rad/s, rising; default: 13 from 0 to what the scene's hub reaches).  Without stated
+## modes it takes 30 bending modes and 30 longitudinal ones, with foreshortening: without it a rod loses its stiffness
+## as it turns.
 ##
-## Branches are followed by the modal assurance criterion (Allemang and Brown 1982) in steps of a fiftieth of the range at most.  Leaves
-## campbell.csv, campbell.svg and campbell.png.  @var{found} is a struct of speeds (1-by-m), f (Hz, a row a branch),
-## growth (1/s, likewise, of what is unstable) and mac, the least of each step's criteria.
+## Branches are followed by the modal assurance criterion (Allemang and Brown 1982) in steps of a fiftieth of the range
+## at most.  Leaves campbell.csv, campbell.svg and campbell.png.  @var{found} is a struct of speeds (1-by-m), f (Hz, a
+## row a branch), growth (1/s, likewise, of what is unstable) and mac, the least of each step's criteria.
 ## @end deftypefn
 
 function found = campbell (scene = "spin_up", varargin)

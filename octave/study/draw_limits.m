@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{job} =} draw_limits (@var{curves}, @var{title}, @var{omega}, @var{scratch})
 ## The growth of the highest mode, of @var{omega} (rad/s), against the step, predicted and measured, as
-## @code{scene_stability} has it: @var{curves} is a cell array of structs of method, limit (of h omega) and points (rows of
-## h omega, predicted and measured growth a step).  Leaves stability.svg and stability.png beside the folder
+## @code{scene_stability} has it: @var{curves} is a cell array of structs of method, limit (of h omega) and points
+## (rows of h omega, predicted and measured growth a step).  Leaves stability.svg and stability.png beside the folder
 ## @var{scratch}, which takes the data, when @var{job} has ended (see @code{finish_tool}).
 ## @end deftypefn
 

@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{job} =} draw_shapes (@var{name}, @var{panels}, @var{scene}, @var{scratch})
-## Shapes of rods, a panel each, as @var{name}.svg and .png beside the folder @var{scratch}, which takes the data.  They
-## are there when @var{job} has ended (see @code{finish_tool}).  @var{panels} is a struct array of title, and of faint and
-## strong lines: cell arrays of [x y], or [x y z] as the scene's camera sees them at the start (m), all in one scale.
+## Shapes of rods, a panel each, as @var{name}.svg and .png beside the folder @var{scratch}, which takes the
+## data.  They are there when @var{job} has ended (see @code{finish_tool}).  @var{panels} is a struct array of title,
+## and of faint and strong lines: cell arrays of [x y], or [x y z] as the scene's camera sees them at the start (m),
+## all in one scale.
 ## @end deftypefn
 
 function job = draw_shapes (name, panels, scene, scratch)

@@ -1,12 +1,13 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{q}, @var{lambda}, @var{linear}] =} equilibrium (@var{balance}, @var{t}, @var{q})
-## Where a @var{balance} of forces (see @code{mechanism_at_rest}) holds at rest under the loads at the time @var{t} (s):
-## coordinates near @var{q} (n-by-1; default: the start), multipliers, and the equations linear about it (see
+## Where a @var{balance} of forces (see @code{mechanism_at_rest}) holds at rest under the loads at the time @var{t}
+## (s): coordinates near @var{q} (n-by-1; default: the start), multipliers, and the equations linear about it (see
 ## @code{linearised}).
 ##
-## Newton's iteration that falls: of each mode of the tangent stiffness the force is divided by its modulus (Dauphin et al.
-## 2014, "saddle-free"), so that it comes to rest where the potential energy is least, but stays where nothing pulls; a
-## step moves a point by a twentieth of a rod at most, and ends before forces along it turn back by more than they were.  One that does not converge is an error.
+## Newton's iteration that falls: of each mode of the tangent stiffness the force is divided by its modulus (Dauphin et
+## al. 2014, "saddle-free"), so that it comes to rest where the potential energy is least, but stays where nothing
+## pulls; a step moves a point by a twentieth of a rod at most, and ends before forces along it turn back by more than
+## they were.  One that does not converge is an error.
 ## @end deftypefn
 
 function [q, lambda, linear] = equilibrium (balance, t, q = balance.start)

@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{linear} =} linearised (@var{balance}, @var{t}, @var{q}, @var{lambda})
 ## The equations of a @var{balance} (see @code{mechanism_at_rest}) linear about the state @var{q} (n-by-1) at rest with
-## multipliers @var{lambda} at the time @var{t} (s): a struct of M, C and K (p-by-p: M y'' + C y' + K y = 0), basis (n-by-p)
-## with q + basis*y, what the constraints leave free (their null space), and mass, stiffness (n-by-n) and jacobian (of the constraints) before.
+## multipliers @var{lambda} at the time @var{t} (s): a struct of M, C and K (p-by-p: M y'' + C y' + K y = 0), basis
+## (n-by-p) with q + basis*y, what the constraints leave free (their null space), and mass, stiffness (n-by-n) and
+## jacobian (of the constraints) before.
 ## @end deftypefn
 
 function linear = linearised (balance, t, q, lambda)

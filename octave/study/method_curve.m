@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{rows} =} method_curve (@var{kind}, @var{scene}, @var{model}, @var{method}, @var{reference}, @
-##   @var{seconds}, @var{known}) The curve of a @var{method} (see @code{integrator_table}) in the diagram of
+##   @var{seconds}, @var{known})
+## The curve of a @var{method} (see @code{integrator_table}) in the diagram of
 ## @code{work_precision}: rows of @code{precision_point} against the run @var{reference}, from coarse to fine.  Without
 ## rows that are @var{known} it is the point next to the scene's tolerance alone, else more points, those that tell
 ## most first, while the @var{seconds} last.

@@ -1,12 +1,13 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{table} =} natural_modes (@var{scene}, @var{option}, @var{value}, @dots{})
-## Natural frequencies and modes of a scene of any kind about the equilibrium that it comes to under its loads at t = 0 (see
-## @code{at_rest}), the slowest twelve: what a hub or a joint prescribes stays as it is then.  Arguments as for @code{driver};
-## without stated modes there are as many base functions as six digits take.
+## Natural frequencies and modes of a scene of any kind about the equilibrium that it comes to under its loads at t = 0
+## (see @code{at_rest}), the slowest twelve: what a hub or a joint prescribes stays as it is then.  Arguments as for
+## @code{driver}; without stated modes there are as many base functions as six digits take.
 ##
 ## Leaves modes.csv, modes.svg and modes.png (the slowest six, both ways) in the folder of the scene's output.
-## @var{table} is a struct array of mode, f (Hz), omega (rad/s), damping (ratio), growth (1/s, of what does not oscillate),
-## change (of omega when the base functions were doubled, relative) and share (of the kinetic energy, of each body).
+## @var{table} is a struct array of mode, f (Hz), omega (rad/s), damping (ratio), growth (1/s, of what does not
+## oscillate), change (of omega when the base functions were doubled, relative) and share (of the kinetic energy, of
+## each body).
 ## @end deftypefn
 
 function table = natural_modes (scene = "paper", varargin)

@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{row} =} precision_point (@var{kind}, @var{scene}, @var{model}, @var{method}, @var{parameter}, @
-##   @var{reference}, @var{limit}, @var{expected}) A row of the table of @code{work_precision}: a @var{method} (see
+##   @var{reference}, @var{limit}, @var{expected})
+## A row of the table of @code{work_precision}: a @var{method} (see
 ## @code{integrator_table}) with the @var{parameter} (tolerance in m, or step in s) against the run @var{reference}
 ## (see @code{reference_run}).  What would take more than the @var{limit} (s) is run on a part of the duration: seconds
 ## and calls go on as they did at its end, and an error above that of the reference itself grows as the time

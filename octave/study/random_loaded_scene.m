@@ -4,8 +4,9 @@
 ## hub that turns, a mechanism of two rods and one of three.
 ##
 ## Forces are scaled to the rods, so that these bend by up to half a hundredth of their length and stretch by at most
-## 0.05 percent, within what foreshortening holds for: where they bend more, no model of the ladder keeps such tolerances,
-## and runs say so (see @code{error_warning}).  Half of the rods are softer along than a rod of one material is.
+## 0.05 percent, within what foreshortening holds for: where they bend more, no model of the ladder keeps such
+## tolerances, and runs say so (see @code{error_warning}).  Half of the rods are softer along than a rod of one
+## material is.
 ## @end deftypefn
 
 function scene = random_loaded_scene (seed)
@@ -91,7 +92,8 @@ function body = body_of (rod, angle)
                  "initial", struct ("phi", angle));
 endfunction
 
-## and its scales: its period of bending (hinged and free), EI/l^2 (N), what stretches it by 0.05 percent (N), mass (kg)
+## and its scales: its period of bending (hinged and free), EI/l^2 (N), what stretches it by 0.05 percent (N), mass
+## (kg)
 function [rod, scales] = random_rod ()
   l = between (0.3, 3);
   slenderness = between (15, 100);

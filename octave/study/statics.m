@@ -5,9 +5,9 @@
 ## stays.  Other arguments as for @code{driver}; without stated modes there are as many base functions as places within
 ## 1e-6 of their distances take.
 ##
-## Leaves shape.csv (41 places of each rod), statics.csv (figures), shape.svg and shape.png in the folder of the scene's
-## output.  @var{found} is what @code{at_rest} returns, with shape, supports (see @code{mechanism_at_rest}), stable (whether no
-## mode grows) and slowest (rad/s, the slowest vibration).
+## Leaves shape.csv (41 places of each rod), statics.csv (figures), shape.svg and shape.png in the folder of the
+## scene's output.  @var{found} is what @code{at_rest} returns, with shape, supports (see @code{mechanism_at_rest}),
+## stable (whether no mode grows) and slowest (rad/s, the slowest vibration).
 ## @end deftypefn
 
 function found = statics (scene = "paper", varargin)

@@ -2,14 +2,15 @@
 ## @deftypefn {} {[@var{scene}, @var{kind}, @var{output}, @var{left}] =} study_scene (@var{which}, @var{options}, @
 ##   @var{change})
 ## The checked scene of a study, its kind (see @code{kind_of}), where its files go, and a function that says how many
-## seconds of the study are @var{left}: @var{which} and @var{options} (a cell array) are arguments as for @code{driver},
-## and the option "budget", the seconds that the study may take (default 60); @var{change} (scene) is what the study
-## makes of the scene before it is checked.  A folder that cannot be written is an error.
+## seconds of the study are @var{left}: @var{which} and @var{options} (a cell array) are arguments as for
+## @code{driver}, and the option "budget", the seconds that the study may take (default 60); @var{change} (scene) is
+## what the study makes of the scene before it is checked.  A folder that cannot be written is an error.
 ## @end deftypefn
 
 function [scene, kind, output, left] = study_scene (which, options, change = @(scene) scene)
   start = tic ();
-  [budget, options] = taken_option (options, "budget", 60, @(s) isscalar (s) && isreal (s) && s > 0, "seconds, a positive number");
+  [budget, options] = taken_option (options, "budget", 60, @(s) isscalar (s) && isreal (s) && s > 0, ...
+                                    "seconds, a positive number");
   left = @() budget - toc (start);
   [scene, name] = load_scene (which);
   [scene, output] = take_options (scene, fullfile ("output", name), options);

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{value}, @var{options}] =} taken_option (@var{options}, @var{name}, @var{default}, @var{is_good}, @
 ##   @var{takes})
-## The last @var{value} of an option in a cell array of names and values, numbers for which @var{is_good} is true (else an
-## error says that it @var{takes} something else), or its @var{default}; and the other @var{options}.
+## The last @var{value} of an option in a cell array of names and values, numbers for which @var{is_good} is true (else
+## an error says that it @var{takes} something else), or its @var{default}; and the other @var{options}.
 ## @end deftypefn
 
 function [value, options] = taken_option (options, name, default, is_good, takes)

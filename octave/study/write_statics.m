@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} write_statics (@var{found}, @var{time}, @var{folder})
-## What @code{statics} has @var{found} at the @var{time} (s): shape.csv, the places of each rod, and statics.csv, figures by
-## name.
+## What @code{statics} has @var{found} at the @var{time} (s): shape.csv, the places of each rod, and statics.csv,
+## figures by name.
 ## @end deftypefn
 
 function write_statics (found, time, folder)
@@ -10,7 +10,8 @@ function write_statics (found, time, folder)
   for k = 1:numel (found.shape)
     places = found.shape{k};
     part = linspace (0, 1, rows (places)).';
-    lines = sprintf (["%d" repmat(",%.17g", 1, 1 + columns (places)) "\n"], [repmat(k, rows (places), 1), part, places].');
+    template = ["%d" repmat(",%.17g", 1, 1 + columns (places)) "\n"];
+    lines = sprintf (template, [repmat(k, rows (places), 1), part, places].');
     text = [text, lines];
   endfor
   write_text (fullfile (folder, "shape.csv"), text);
@@ -30,7 +31,8 @@ endfunction
 %!   assert (fileread (fullfile (folder, "shape.csv")), ...
 %!           "body,part of the length,x [m],y [m]\n1,0,0,0\n1,1,1,2\n2,0,1,2\n2,1,3,4\n");
 %!   text = fileread (fullfile (folder, "statics.csv"));
-%!   assert (! isempty (strfind (text, "\n\"reaction_x [N]\",6\n"))); assert (! isempty (strfind (text, "\"time [s]\",0.5\n")));
+%!   assert (! isempty (strfind (text, "\n\"reaction_x [N]\",6\n")));
+%!   assert (! isempty (strfind (text, "\"time [s]\",0.5\n")));
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");
 %! end_unwind_protect

@@ -5,8 +5,8 @@
 ## and bound (m).  It is the difference of the run of @var{history} (see @code{measure}) from one with the forces of
 ## what is dropped (see @code{with_dropped}).
 ##
-## Where slope^2 and the strain times the deflection times a quarter of the phase through which modes and rotation go is
-## below a fifth of the tolerance, that bound is enough: x and y are 0 then, and otherwise the bound is.  A rod that
+## Where slope^2 and the strain times the deflection times a quarter of the phase through which modes and rotation go
+## is below a fifth of the tolerance, that bound is enough: x and y are 0 then, and otherwise the bound is.  A rod that
 ## cannot be integrated so is bounded by its own length.
 ## @end deftypefn
 

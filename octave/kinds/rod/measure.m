@@ -3,8 +3,8 @@
 ## What is observed at the frame times: a struct of 1-by-m rows t, phi, phi_dot, psi and tip_psi (the tangent's angles
 ## at O and at the tip), tip_x, tip_y, mid_x, mid_y (the centreline's places there and at mid-span), T, U, Z, W, D,
 ## balance (T + U + Z + D - W, constant), reaction_x, reaction_y (N, of the support at O on the rod) and torque (of a
-## hub, else empty), joint_points (see @code{points_of_joints}), energy_floor (J), and the coordinates q (n-by-m) and amplitudes V (N-by-m) of all base functions,
-## with their names V1_1, ..., V2_1, ... (see @code{mode_names}).
+## hub, else empty), joint_points (see @code{points_of_joints}), energy_floor (J), and the coordinates q (n-by-m) and
+## amplitudes V (N-by-m) of all base functions, with their names V1_1, ..., V2_1, ... (see @code{mode_names}).
 ## @end deftypefn
 
 function history = measure (system, model, times, states)

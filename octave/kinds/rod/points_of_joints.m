@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{points} =} points_of_joints (@var{joined}, @var{q}, @var{phi})
-## Where the joints of a @code{joined_rod} hold it with the coordinates @var{q} (n-by-m) at the angles @var{phi} (1-by-m,
-## rad), a struct of x and y (m; joints-by-m); empty of a rod without joints.
+## Where the joints of a @code{joined_rod} hold it with the coordinates @var{q} (n-by-m) at the angles @var{phi}
+## (1-by-m, rad), a struct of x and y (m; joints-by-m); empty of a rod without joints.
 ## @end deftypefn
 
 function points = points_of_joints (joined, q, phi)

@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{pull} =} pull_of_joints (@var{t}, @var{motion}, @var{joined})
 ## What the springs and loads of a @code{joined_rod} do to it at the times @var{t} (1-by-k), in a @var{motion}, a
-## struct of phi, phi_dot (1-by-k), V and V_dot (n-by-k): a struct of V (n-by-k, N), phi (1-by-k, N m), x and y
-## (N), the generalized forces, taken (W), the power that springs and dampers take from the rod, dissipated (W), of the dampers
-## alone, and energy (J), of the springs (1-by-k).
+## struct of phi, phi_dot (1-by-k), V and V_dot (n-by-k): a struct of V (n-by-k, N), phi (1-by-k, N m), x and y (N),
+## the generalized forces, taken (W), the power that springs and dampers take from the rod, dissipated (W), of the
+## dampers alone, and energy (J), of the springs (1-by-k).
 ## @end deftypefn
 
 function pull = pull_of_joints (t, motion, joined)
@@ -14,7 +14,8 @@ function pull = pull_of_joints (t, motion, joined)
   if (! isempty (joined.loads))
     forces += forces_of_markers (joined, at, applied_forces (joined, applied_values (joined.loads, t), at));
   endif
-  pull = struct ("V", forces(1:end-3,:), "phi", forces(end-2,:), "x", forces(end-1,:), "y", forces(end,:), "energy", springs.energy, ...
+  pull = struct ("V", forces(1:end-3,:), "phi", forces(end-2,:), "x", forces(end-1,:), "y", forces(end,:), ...
+                 "energy", springs.energy, ...
                  "taken", sum (springs.tension.*springs.velocity, 1), "dissipated", springs.dissipated);
 endfunction
 

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{balance} =} surface_at_rest (@var{scene}, @var{system})
-## The balance of forces of the rod of a checked scene on its surface, whose @var{system} is of @code{surface_rod}; fields
-## as in @code{mechanism_at_rest}, of one body without multipliers, whose shape has x, y and z; and interpolation (82-by-n):
-## what the surface's coordinates are off at 41 places.
+## The balance of forces of the rod of a checked scene on its surface, whose @var{system} is of @code{surface_rod};
+## fields as in @code{mechanism_at_rest}, of one body without multipliers, whose shape has x, y and z; and
+## interpolation (82-by-n): what the surface's coordinates are off at 41 places.
 ## @end deftypefn
 
 function balance = surface_at_rest (scene, system)

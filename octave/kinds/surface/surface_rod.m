@@ -7,10 +7,10 @@
 ## Fields: n coordinates, numbers (of polynomials, modes, and sines), initial_state, place (see @code{place_rod}),
 ## residual (t, z, z_dot, z_ddot) = mass times acceleration less forces (n-by-m, at m times), power (t, z, z_dot) of
 ## the loads, mass_matrix (z) and tangent_stiffness (t, z, z_dot, z_ddot; n-by-n-by-m both), rate, energies (z, z_dot;
-## see @code{surface_energies}), refuse_singular (z, when), size (z), the largest displacement (m) that goes with a small change of z,
-## fields (z, z_dot, z_ddot, stations) = place, as the surface's functions take it, at stations of the rod, surface,
-## rod and gravity (likewise), points and weights (p-by-1, m, of the quadrature), breaks, state_scale, mass, stiffness
-## (linear about the start), energy_floor (J), forms, auto, duration.
+## see @code{surface_energies}), refuse_singular (z, when), size (z), the largest displacement (m) that goes with a
+## small change of z, fields (z, z_dot, z_ddot, stations) = place, as the surface's functions take it, at stations of
+## the rod, surface, rod and gravity (likewise), points and weights (p-by-1, m, of the quadrature), breaks,
+## state_scale, mass, stiffness (linear about the start), energy_floor (J), forms, auto, duration.
 ## @end deftypefn
 
 function system = surface_rod (scene)
