@@ -10,6 +10,9 @@
 ## @end deftypefn
 
 function found = at_rest (kind, scene, t, measure)
+  if (isempty (kind.at_rest))
+    scene_error ("the kind \"%s\" says nothing of its equilibrium", kind.name);
+  endif
   rung = kind.stated (scene);
   if (! isempty (rung))
     found = equilibrium_of (kind, scene, kind.build (scene, rung), t);
@@ -70,3 +73,5 @@ endfunction
 %! scene = setfield (held (), "bodies", {setfield(held ().bodies{1}, "model", "modes", [1 2])});
 %! found = at_rest (mechanism_kind (), check_mechanism (scene), 0, @(found) found.vibrations.omega);
 %! assert (found.functions, NaN); assert (found.change, NaN (1, 4));
+%!error <the kind "string" says nothing of its equilibrium>
+%! at_rest (struct ("name", "string", "at_rest", []), struct (), 0, @(found) 1);
