@@ -16,29 +16,30 @@ function job = draw_chart (table, ladder, cost, notes, scratch)
     rows = ladder([ladder.error_m] > 0 & isfinite ([ladder.error_m]));
     chosen = rows([rows.chosen]);
   endif
-  best = fastest_rows (table, notes.tolerance);
+  floor = max ([notes.floor, 1e-16]);
+  best = fastest_rows (table, max (notes.tolerance, floor));
   own = best(strcmp ({best.method}, notes.auto));
   text = gnuplot_settings (struct ("title", notes.title, "methods", {methods}, "drifts", double (drifts), ...
                                    "rungs", numel (rows), "sizes", size (cost, 1), "tolerance", notes.tolerance, ...
-                                   "floor", max ([notes.floor, 1e-30]), "cost_first", [cost(:,1:2); 1 1](1,:)));
+                                   "floor", floor, "cost_first", [cost(:,1:2); 1 1](1,:)));
   for k = 1:numel (methods)
     of_method = table(strcmp ({table.method}, methods{k}));
     failed = ! cellfun (@isempty, {of_method.failure});
-    text = [text, block(sprintf ("curve_%d", k), of_method(! failed), drifts), ...
-            block(sprintf ("part_%d", k), of_method([of_method.part] < 1 & ! failed), drifts), ...
-            block(sprintf ("failed_%d", k), of_method(failed), drifts)];
+    text = [text, block(sprintf ("curve_%d", k), of_method(! failed), drifts, floor), ...
+            block(sprintf ("part_%d", k), of_method([of_method.part] < 1 & ! failed), drifts, floor), ...
+            block(sprintf ("failed_%d", k), of_method(failed), drifts, floor)];
   endfor
-  text = [text, block("own", own, drifts), gnuplot_block("cost", {[cost; NaN NaN NaN](1:max (end-1, 1),:)}), ...
+  text = [text, block("own", own, drifts, floor), gnuplot_block("cost", {[cost; NaN NaN NaN](1:max (end-1, 1),:)}), ...
           ladder_block("ladder", rows), ladder_block("chosen", chosen)];
   write_text (fullfile (scratch, "settings.gp"), text);
   job = start_gnuplot (scratch, "chart.gp");
 endfunction
 
 ## seconds and error, and what the second panel has; what failed stands at the top
-function text = block (name, rows, drifts)
+function text = block (name, rows, drifts, floor)
   text = sprintf ("$%s << EOD\n", name);
   for row = rows
-    error = max (row.error_m, 1e-16);
+    error = max ([row.error_m, floor]);  # nearer is not known
     if (! isempty (row.failure) || ! isfinite (error) || error > 1)
       error = 1;
     endif
