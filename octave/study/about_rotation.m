@@ -20,10 +20,11 @@ function [linear, q] = about_rotation (kind, scene, model, speed, q)
     q = system.initial_state(1:n);
   endif
   rate = system.accelerations.rate;
+  steps = 1e-4*system.state_scale(1:n);
   accelerations = @(q, v) rate (zeros (1, columns (q)), [q; v; zeros(2, columns (q))], [0, scene.duration])(n+1:2*n,:);
   held = 1:n - isempty (scene.rotation);  # a hinged rod's angle is free
   for sweep = 1:20
-    by_q = derivative (@(x) accelerations (q + x, v + 0*x), system.state_scale(1:n));
+    by_q = difference_quotients (@(x) accelerations (q + x, v + 0*x), steps);
     step = zeros (n, 1);
     step(held) = -by_q(held,held) \ accelerations (q, v)(held);
     q += step;
@@ -32,15 +33,8 @@ function [linear, q] = about_rotation (kind, scene, model, speed, q)
     endif
   endfor
   linear.M = system.mass;
-  linear.K = -system.mass*derivative (@(x) accelerations (q + x, v + 0*x), system.state_scale(1:n));
-  linear.C = -system.mass*derivative (@(x) accelerations (q + 0*x, v + x), system.state_scale(1:n));
-endfunction
-
-## by all arguments in one call: central differences of the fourth order, exact for what is cubic
-function D = derivative (f, scale)
-  along = 1e-4*diag (scale);
-  values = mat2cell (f ([along, -along, 2*along, -2*along]), rows (scale), rows (scale)*ones (1, 4));
-  D = (8*(values{1} - values{2}) - (values{3} - values{4}))./(12e-4*scale.');
+  linear.K = -system.mass*difference_quotients (@(x) accelerations (q + x, v + 0*x), steps);
+  linear.C = -system.mass*difference_quotients (@(x) accelerations (q + 0*x, v + x), steps);
 endfunction
 
 %!test # a rod that stretches as it turns: its tip moves by rhoA speed^2 l^3/(3 EA)

@@ -15,7 +15,7 @@ function [q, lambda, linear] = equilibrium (balance, t, q = balance.start)
   lambda = zeros (balance.multipliers, 1);
   smallest = Inf;
   for sweep = 1:300
-    linear = linearised (balance, t, q, lambda);
+    linear = held_tangent (balance, t, q, lambda);
     r = balance.residual (t, q, 0*q, lambda);
     onto = -inverse_of (linear.jacobian)*r(n+1:end);
     force = linear.basis.'*(r(1:n) - linear.stiffness*onto);
@@ -24,6 +24,7 @@ function [q, lambda, linear] = equilibrium (balance, t, q = balance.start)
     q += share_of (balance, t, q, lambda, step, min (1, 0.05*balance.length/metres))*step;
     lambda += inverse_of (linear.jacobian).'*(r(1:n) - linear.stiffness*step);
     if (metres < 1e-13*balance.length || (metres < 1e-8*balance.length && metres >= smallest/2))
+      linear = linearised (balance, t, q, lambda);
       return;
     endif
     smallest = min (smallest, metres);

@@ -7,19 +7,8 @@
 ## @end deftypefn
 
 function linear = linearised (balance, t, q, lambda)
-  n = balance.n;
-  tangent = balance.tangent (t, q, lambda);
-  linear.stiffness = tangent(1:n,:);
-  linear.jacobian = tangent(n+1:end,:);
-  linear.basis = eye (n);
-  if (balance.multipliers > 0)
-    linear.basis = null (linear.jacobian);
-  endif
-  Z = linear.basis;
-  linear.mass = balance.mass (q);
-  linear.M = Z.'*linear.mass*Z;
-  linear.C = Z.'*balance.damping (t, q, lambda)*Z;
-  linear.K = Z.'*linear.stiffness*Z;
+  linear = held_tangent (balance, t, q, lambda);
+  linear.C = linear.basis.'*balance.damping (t, q, lambda)*linear.basis;
 endfunction
 
 %!test # a rigid pendulum of 2 m that hangs: m l^2/3 phi'' + m g l/2 phi = 0

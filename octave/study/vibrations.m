@@ -25,8 +25,9 @@ endfunction
 
 ## 1/(omega^2 + shift) are the eigenvalues of M by K + shift M
 function modes = real_modes (M, K)
-  least = min ([real(eig (K, M)); 0]);
-  largest = max (abs (eig (K, M)));
+  squares = real (eig (K, M));
+  least = min ([squares; 0]);
+  largest = max (abs (squares));
   shift = -2*least + 1e-9*largest*(least <= 1e-12*largest);
   [modes.shape, inverse] = eig (M, K + shift*M);
   squares = 1./diag (inverse).' - shift;

@@ -18,6 +18,7 @@ function table = work_precision (scene = "paper", varargin)
   budget = left ();
   [rung, choice, ladder] = charted (kind, scene, left);
   model = kind.build (scene, rung);
+  system = kind.system (scene, model);
   reference = reference_run (kind, scene, model, min (budget/5, left ()/3));
   printf ("  reference: %s at %g m, within %.1g m of a hundred times that\n", reference.name, reference.tolerance, ...
           reference.off);
@@ -26,12 +27,12 @@ function table = work_precision (scene = "paper", varargin)
     rungs = rung_rows (kind, scene, ladder, choice, choice.reference, min (budget/10, left ()/4));
   endif
   cost = cost_of_size (kind, scene, 2.^(1:6), min (budget/10, left ()/4));
-  found = measure_all (kind, scene, model, reference, @() left () - min (3, budget/10));
+  found = measure_all (kind, scene, model, system, reference, @() left () - min (3, budget/10));
   if (isequal (rung, kind.literal (scene)))
     found = [found, literal_rows(found)];
   endif
   notes = struct ("title", scene.title, "tolerance", scene.solver.tolerance, "floor", reference.off/10, ...
-                  "auto", kind.system (scene, model).auto);
+                  "auto", system.auto);
   words = chart_words (found, notes.auto, notes.tolerance, choice, notes.floor);
   say ("%s", words);
   publish_study (output, {"chart.csv", "cost.csv", "chart.md"}, {"chart.svg", "chart.png"}, ...
@@ -57,8 +58,7 @@ function [rung, choice, ladder] = charted (kind, scene, left)
 endfunction
 
 ## a point of each method, then more, of the fastest first
-function table = measure_all (kind, scene, model, reference, left)
-  system = kind.system (scene, model);
+function table = measure_all (kind, scene, model, system, reference, left)
   methods = usable_methods (integrator_table (system.forms));
   weights = 1 + 3*strcmp ({methods.name}, system.auto) + 2*strcmp ({methods.name}, "ode45");
   for k = 1:numel (methods)

@@ -70,15 +70,10 @@ function D = tangent (system, t, q, lambda)
   D(1:system.n,:) *= -1;
 endfunction
 
-## of a function of n-by-k arguments at 0, all in one call: central differences of the fourth order, whose steps move a
-## point by a ten-thousandth of the longest rod
+## of a function of the coordinates or their rates: steps move a point by a ten-thousandth of the longest rod
 function D = derivative (f, system)
   length = max (cellfun (@(model) model.length, system.mechanism.models));
-  steps = 1e-4*length*system.q_scale.';
-  along = diag (steps);
-  values = f ([along, -along, 2*along, -2*along]);
-  values = mat2cell (values, rows (values), system.n*ones (1, 4));
-  D = (8*(values{1} - values{2}) - (values{3} - values{4}))./(12*steps);
+  D = difference_quotients (f, 1e-4*length*system.q_scale);
 endfunction
 
 function lines = shape (mechanism, q)
