@@ -8,8 +8,9 @@
 
 function job = draw_shapes (name, panels, scene, scratch)
   for k = 1:numel (panels)
-    panels(k).faint = cellfun (@(places) on_plane (places, scene), panels(k).faint, "uniformoutput", false);
-    panels(k).strong = cellfun (@(places) on_plane (places, scene), panels(k).strong, "uniformoutput", false);
+    for lines = {"faint", "strong"}
+      panels(k).(lines{1}) = cellfun (@(places) on_plane (places, scene), panels(k).(lines{1}), "uniformoutput", false);
+    endfor
   endfor
   every = vertcat ([panels.faint]{:}, [panels.strong]{:});
   low = min (every);

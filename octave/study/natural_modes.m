@@ -5,8 +5,8 @@
 ## @code{driver}; without stated modes there are as many base functions as six digits take.
 ##
 ## Leaves modes.csv, modes.svg and modes.png (the slowest six, both ways) in the folder of the scene's output.
-## @var{table} is a struct array of mode, f (Hz), omega (rad/s), damping (ratio), growth (1/s, of what does not
-## oscillate), change (of omega when the base functions were doubled, relative) and share (of the kinetic energy, of
+## @var{table} is a struct array of mode, f (Hz), omega (rad/s), damping (ratio), growth (1/s, of what is
+## unstable), change (of omega when the base functions were doubled, relative) and share (of the kinetic energy, of
 ## each body).
 ## @end deftypefn
 
@@ -56,8 +56,6 @@ function text = kind_text (row)
     text = sprintf ("unstable: grows by exp (%.4g t)", row.growth);
   elseif (row.omega == 0)
     text = "nothing brings it back";
-  elseif (row.damping < -1e-12)
-    text = "unstable: it oscillates and grows";
   endif
 endfunction
 

@@ -17,7 +17,7 @@ function found = statics (scene = "paper", varargin)
   result = at_rest (kind, scene, time, @(found) vertcat (found.balance.shape (found.q){:})(:).');
   result.shape = result.balance.shape (result.q);
   result.supports = result.balance.supports (time, result.q, result.lambda);
-  result.stable = all (result.vibrations.rate == 0 & result.vibrations.damping >= -1e-9);
+  result.stable = ! any (result.vibrations.rate);
   result.slowest = result.vibrations.omega(1);
   describe (result, time);
   publish_study (output, {"shape.csv", "statics.csv"}, {"shape.svg", "shape.png"}, ...
@@ -37,7 +37,7 @@ function describe (found, time)
   say ("  equilibrium under the loads at t = %g s, %s", time, how);
   if (! found.stable)
     say ("warning: it is unstable: what is beside it goes away as exp (%.4g t)", ...
-         max ([found.vibrations.rate, -found.vibrations.damping.*found.vibrations.omega]));
+         max (found.vibrations.rate));
   elseif (found.slowest == 0)
     say ("  something moves without coming back: the equilibrium is one of many");
   else

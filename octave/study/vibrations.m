@@ -2,7 +2,7 @@
 ## @deftypefn {} {@var{modes} =} vibrations (@var{linear})
 ## The natural vibrations of linear equations M y'' + C y' + K y = 0 (see @code{linearised}), from slow to fast: a
 ## struct of omega (rad/s, of the undamped ones; 1-by-p), damping (the ratio; negative where it grows), rate (1/s: with
-## which what does not oscillate grows, else 0) and shape (p-by-p, real, of unit kinetic energy).
+## which what is unstable grows, else 0) and shape (p-by-p, real, of unit kinetic energy).
 ##
 ## Without damping they are those of the symmetric problem, whose slowest have full relative accuracy (its inverse is
 ## solved); a follower load or damping takes the eigenvalues of the first order system.
@@ -51,7 +51,7 @@ function modes = complex_modes (M, C, K)
   values = values(kept);
   modes.omega = abs (values).*(imag (values) > 1e-9*unit);
   modes.damping = -real (values)./max (abs (values), realmin).*(imag (values) > 1e-9*unit);
-  modes.rate = max (real (values), 0).*(imag (values) <= 1e-9*unit);
+  modes.rate = real (values).*(real (values) > 1e-9*max (abs (values), unit*(imag (values) <= 1e-9*unit)));
   modes.shape = real (R \ vectors(1:p,kept)./exp (1i*arg (sum (vectors(1:p,kept).^2, 1))/2));
 endfunction
 
@@ -69,6 +69,7 @@ endfunction
 %! modes = vibrations (linear);
 %! values = eig ([zeros(2), eye(2); -linear.M\linear.K, zeros(2)]);
 %! assert (max (-modes.damping.*modes.omega), max (real (values)), 1e-10);
+%! assert (max (modes.rate), max (real (values)), 1e-10); assert (max (modes.rate) > 0.1);
 %!test # a rigid motion beside a damped one is one mode, not two
 %! modes = vibrations (struct ("M", eye (3), "C", diag ([0 0.6 0]), "K", diag ([0 9 16])));
 %! assert (modes.omega, [0 3 4], 1e-9); assert (modes.damping, [0 0.1 0], 1e-9); assert (modes.rate, [0 0 0], 1e-9);
