@@ -6,7 +6,7 @@ function parse_list(    id)
   id = new_node("list", "", "", 0, 0)
   if (next_is("]"))
     fail("an empty list has no size")
-  parse_sequence(id, "]")
+  parse_rows(id, "]")
   if (node_operator[child[id, 1]] == "list")
     return finish_matrix(id)
   finish_list(id)
@@ -27,10 +27,21 @@ function finish_list(id,    k)
 function parse_matrix(    id)
 {
   id = new_node("matrix", "", "", 0, 0)
-  if (!next_is("["))
+  if (!next_is("[") && !(token[position] in temporary_value))
     unexpected("a row is wanted")
-  parse_sequence(id, ")")
+  parse_rows(id, ")")
   return finish_matrix(id)
+}
+
+# Maxima's optimize names a row that stands twice.
+function parse_rows(id, closing,    k, row)
+{
+  parse_sequence(id, closing)
+  for (k = 1; k <= child_count[id]; k++) {
+    row = child[id, k]
+    if (row in definition && node_operator[definition[row]] == "list")
+      child[id, k] = definition[row]
+  }
 }
 
 function finish_matrix(id,    k, columns)
