@@ -19,7 +19,7 @@ function [states, steps] = integrate_radau (system, times, start, solver)
   states.lambda(:,1) = y.lambda;
   plan = struct ("h", min (diff (times)(1)/4, 1e-3*system.duration), "panels", 1, "whole", 0, "patience", 4);
   plan.most = max (1, min (32, floor (7e3/system.n^2)));
-  guess = @(t) taylor (y, t - y.t);
+  guess = alone = @(t) taylor (y, t - y.t);
   steps = refused = 0;
   while (y.t < times(end))
     to_go = max (1, ceil ((times(end) - y.t)/plan.h*(1 - 1e-9)));
@@ -42,9 +42,13 @@ function [states, steps] = integrate_radau (system, times, start, solver)
         [frames, y] = radau_frames (system, rule, window, before, h, times(inside), y);
         states = keep (states, inside, frames);
       endif
-      guess = @(t) radau_guess (system, rule, window, y, h, kept, t);
+      guess = alone = @(t) radau_guess (system, rule, window, y, h, kept, t);
+      if (isfield (system, "led") && plan.panels > 1)
+        guess = @(t) system.led (t, y);
+      endif
       refused = 0;
     else
+      guess = alone;
       refused++;
     endif
     plan = next_window (plan, window, count, kept);
@@ -79,7 +83,7 @@ function plan = next_window (plan, window, panels, kept)
     if (plan.whole)
       plan.whole--;
       plan.panels = min (2*panels, 4);
-    elseif (window.iterations < 9)
+    elseif (window.iterations < 7)
       plan.panels = min (2*panels, plan.most);
     endif
   endif

@@ -19,7 +19,6 @@
 
 function [window, why] = radau_window (system, rule, y, h, panels, guess, tolerance, whole = false)
   s = numel (rule.c);
-  scale = tolerance*system.q_scale;
   x.t = reshape (y.t + h*((0:panels-1).' + rule.c), 1, []);
   middle = (s - 1)/2*panels + (1:panels);
   [x.prescribed, x.prescribed_middle] = deal (system.prescribed (x.t), system.prescribed (x.t(middle)));
@@ -52,7 +51,7 @@ function [window, why] = radau_window (system, rule, y, h, panels, guess, tolera
     x.mu += step{4}*factors.unit;
     x.sigma += step{5}*factors.unit;
     before = change;
-    change = max (max (abs ([step{1}; h*step{2}])./[scale; scale]));
+    change = max (max (abs (system.q_points*[step{1}, h*step{2}])))/tolerance;
     rate = change/before;
     met = ! whole || (all (abs (at.constraints.residual)(:) <= 1e-11) && all (abs (at.constraints.velocity)(:) <= 1e-9));
     settled = whole && change <= 0.05 && rate > 1/2;  # as near as rounding lets it, at a singular position
@@ -66,7 +65,7 @@ function [window, why] = radau_window (system, rule, y, h, panels, guess, tolera
       at = system.at (x.prescribed, x.q, x.v);
     endif
     window.power = reshape (system.work_rate (at, x.lambda), panels, s);
-    window = finished (window, rule, factors, h, panels, y, x, at, scale);
+    window = finished (system, window, rule, factors, h, panels, y, x, at, tolerance);
   endif
 endfunction
 
@@ -103,12 +102,12 @@ function [residual, at] = residual_of (system, rule, h, panels, y, x, factors)
               -repmat(factors.compliance, 1, numel (rule.c)).*excess};
 endfunction
 
-function window = finished (window, rule, factors, h, panels, y, x, at, scale)
+function window = finished (system, window, rule, factors, h, panels, y, x, at, tolerance)
   s = numel (rule.c);
   x.a = rates (rule, h, panels, x.v, y.v);
   window.q_start = started (x.q, y.q, panels);
   window.v_start = started (x.v, y.v, panels);
-  window.error_ratio = embedded_error (rule, factors, h, x, window, started (x.a, y.a, panels), scale);
+  window.error_ratio = embedded_error (system, rule, factors, h, x, window, started (x.a, y.a, panels), tolerance);
   for name = {"q", "v", "a", "lambda", "sigma"}
     window.(name{1}) = mat2cell (x.(name{1}), rows (x.(name{1})), panels*ones (1, s));
   endfor
@@ -116,14 +115,14 @@ function window = finished (window, rule, factors, h, panels, y, x, at, scale)
 endfunction
 
 ## filtered by the real factors, so that stiff modes count as what they will be
-function ratio = embedded_error (rule, factors, h, x, window, a_start, scale)
+function ratio = embedded_error (system, rule, factors, h, x, window, a_start, tolerance)
   beyond = @(x, start, rate) factors.M*(reshape (x - repmat (start, 1, numel (rule.c)), [], numel (rule.c))*rule.e.'/h ...
                                         + rate(:));
   none = @(m) zeros (m, 1);
   off = radau_solve (factors, 1, {beyond(x.q, window.q_start, window.v_start), beyond(x.v, window.v_start, a_start), ...
                                   none(factors.ties_count), none(factors.ties_count), none(rows (factors.stiff))});
-  off = [reshape(off{1}, numel (scale), []); h*reshape(off{2}, numel (scale), [])];
-  ratio = max (abs (off)./[scale; scale], [], 1);
+  off = [system.q_points*reshape(off{1}, system.n, []); h*system.q_points*reshape(off{2}, system.n, [])];
+  ratio = max (abs (off), [], 1)/tolerance;
 endfunction
 
 %!test # windows of one and of three panels leave the same state, on its constraints

@@ -26,6 +26,8 @@
 ## @item system (scene, model)
 ## what @code{integrate} takes, with warnings (a cellstr) and energy_rows (those of work and dissipated energy, [] for
 ## none)
+## @item led_by (system, run)
+## the system with the motion of a run by a like model as a first guess of its own, where its integrator takes one
 ## @item observe (scene, model, system, times, states)
 ## history and points of a run (see @code{run_model}), and what else the kind has; history.residual is a drift of
 ## constraints

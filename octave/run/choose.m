@@ -5,15 +5,16 @@
 ## The rung above a first guess is the reference, whose motion says how much of it is needed.  That is run, and a
 ## little more until it holds: until it is within the ladder's share of the tolerance of the reference.  Then smaller
 ## rungs are tried, a part after the other, for as long as they hold too.  Where what is needed is not clearly less
-## than the reference has, it is the next guess.  At the ladder's end the choice gives up: the last reference is taken,
-## with its distance from the best that is clearly poorer, and a warning says so.  No rung is run twice, and one that
-## cannot be run is passed by; where none can, the error is the last one's.
+## than the reference has, a quarter of what all rungs drop is near enough, where that is more, and otherwise it is the
+## next guess.  At the ladder's end the choice gives up: the last reference is taken, with its distance from the best
+## that is clearly poorer, and a warning says so.  No rung is run twice, and one that cannot be run is passed by; where
+## none can, the error is the last one's.
 ##
 ## @var{ladder} is a struct of share, parts (a cell array) and functions: first () = [rung, why] (a sentence, or
 ## empty), richer (rung), smaller (rung, part), the same rung where there is none, left_out (reference, rung, part),
 ## what a rung leaves out of a part of the reference's motion (m; NaN: that cannot be told, Inf: it cannot do without),
-## poorer (rung, reference), whether the reference is so much richer that it tells the rung's error, trial (rung) (see
-## @code{try_rung}) and name (rung).
+## dropped (trial), what all rungs leave out (m), poorer (rung, reference), whether the reference is so much richer that
+## it tells the rung's error, trial (rung, like) (see @code{try_rung}) and name (rung).
 ##
 ## @var{choice}: trial (the chosen one), reference (what it is compared with), rung, error_m (their distance), reason
 ## (a sentence), tried (a struct array of rung, name, error_m, seconds, calls, message, chosen) and warnings (cellstr).
@@ -26,7 +27,7 @@ function choice = choose (ladder, tolerance)
   do
     references{end+1} = ladder.richer (guess);
     [reference, trials] = run_once (ladder, references{end}, trials);
-    [trial, guess, trials] = smallest_near (ladder, reference, limit, trials);
+    [trial, guess, trials, limit] = near_enough (ladder, reference, limit, trials);
     at_the_end = any (cellfun (@(rung) isequal (rung, ladder.richer (guess)), references));
   until (! isempty (trial) || at_the_end)
 
@@ -46,6 +47,18 @@ function choice = choose (ladder, tolerance)
   choice = struct ("trial", trial, "reference", reference, "rung", trial.rung, ...
                    "error_m", distance (trial, reference), "reason", reason, "warnings", {warnings});
   choice.tried = cellfun (@(trial) entry (ladder, trial, reference, choice.rung), trials);
+endfunction
+
+## within the limit, or within that share of what all rungs drop
+function [trial, guess, trials, limit] = near_enough (ladder, reference, limit, trials)
+  [trial, guess, trials] = smallest_near (ladder, reference, limit, trials);
+  if (isempty (trial) && isempty (reference.error))
+    dropped = ladder.share*ladder.dropped (reference)/4;
+    if (dropped > limit)
+      limit = dropped;
+      [trial, guess, trials] = smallest_near (ladder, reference, limit, trials);
+    endif
+  endif
 endfunction
 
 ## the last reference that could be run, and the best of the others that is clearly poorer, or else any
@@ -82,8 +95,8 @@ endfunction
 %!  ladder.richer = @(n) min (2*n + 2, numel (amplitudes));
 %!  ladder.smaller = @(n, part) max (n - 1, 0);
 %!  ladder.left_out = @(reference, n, part) abs (sum_of (reference.rung) - sum_of (n));
-%!  ladder.poorer = @clearly_fewer;
-%!  ladder.trial = @(n) run_terms (n, sum_of (n), least);
+%!  [ladder.poorer, ladder.dropped] = deal (@clearly_fewer, @(trial) 0);
+%!  ladder.trial = @(n, like) run_terms (n, sum_of (n), least);
 %!  ladder.name = @(n) sprintf ("%d terms", n);
 %!endfunction
 %!function trial = run_terms (n, x, least)
@@ -101,6 +114,12 @@ endfunction
 %!test # where as much is needed as the reference has, the reference is the next guess
 %! choice = choose (series (0.5.^(0:19)), 1e-3);
 %! assert (choice.rung, 12); assert (sort ([choice.tried.rung]), [4 10 11 12 20]);
+%!test # where as much is needed, but all rungs drop more than that, four times what is left out, the first serves
+%! ladder = setfield (series (0.5.^(0:19)), "dropped", @(trial) 2);
+%! choice = choose (ladder, 1e-3);
+%! assert (choice.rung, 2); assert (choice.error_m, 0.5^2*1.5, 1e-12);
+%! assert (choice.reason, "they fall; the smallest within 0.47 m of 4 terms");
+%! assert (choose (setfield (ladder, "dropped", @(trial) 1e-3), 1e-3).rung, 12);
 %!test # what cannot be run is passed by, and its message kept
 %! choice = choose (series ([1 0 0 0 0 0 0 0], 4), 0.1);
 %! assert (choice.rung, 4); assert (choice.warnings, {});

@@ -8,7 +8,16 @@
 function ladder = ladder_of (kind, scene, left = @() Inf)
   ladder = kind.ladder (scene);
   solver = ladder.solver;
-  ladder.trial = @(rung) run_model (kind, scene, kind.build (scene, rung), setfield (solver, "seconds", left ()/3));
+  ladder.trial = @(rung, like) run_model (kind, scene, kind.build (scene, rung), setfield (solver, "seconds", left ()/3), ...
+                                          like);
+  ladder.dropped = @(trial) dropped_metres (kind.dropped (scene, trial, trial));
+endfunction
+
+function metres = dropped_metres (dropped)
+  metres = 0;
+  if (! isempty (dropped))
+    metres = dropped.metres;
+  endif
 endfunction
 
 %!test # the rigid rod
@@ -18,4 +27,4 @@ endfunction
 %! assert (hypot (trial.x(end,:), trial.y(end,:)), ones (1, 91), 1e-12);
 %! assert (trial.rung, rigid); assert (trial.error, "");
 %!error <given up after> ladder_of (rod_kind (), check_scene (paper ()), @() 1e-3).trial (rung_of_scene (
-%!   setfield (check_scene (paper ()), "model", "modes", [7 7])))
+%!   setfield (check_scene (paper ()), "model", "modes", [7 7])), [])

@@ -12,15 +12,18 @@
 ## the points that tell two motions apart (points-by-frames, m; z where they leave the plane; see @code{distance})
 ## @end table
 ##
-## Of a run @var{before} the energies are known: work and what dissipates are then integrated to a share of what
-## changes. A run that leaves its energy balance is an error, but that "auto" tries with less first, three times.
+## A run @var{before} leads this one (see led_by of a kind). Where it is of the same model the energies are known: work
+## and what dissipates are then integrated to a share of what changes. A run that leaves its energy balance is an error, but that "auto" tries with less first, three times.
 ## @end deftypefn
 
 function run = run_model (kind, scene, model, solver = scene.solver, before = [])
   times = frame_times (scene);
   system = kind.system (scene, model);
   if (! isempty (before))
-    system = with_work (system, before.history, solver.tolerance);
+    system = kind.led_by (system, before);
+    if (isequal (before.model, model))
+      system = with_work (system, before.history, solver.tolerance);
+    endif
   endif
   for attempt = 1:4
     [states, count] = integrate (system, times, solver);

@@ -7,7 +7,8 @@
 function [trial, trials] = run_once (ladder, rung, trials)
   known = find (cellfun (@(trial) isequal (trial.rung, rung), trials), 1);
   if (isempty (known))
-    trials{end+1} = try_rung (ladder, rung);
+    ran = cellfun (@(trial) isempty (trial.error), trials);
+    trials{end+1} = try_rung (ladder, rung, [trials{find(ran, 1, "last")}]);
     known = numel (trials);
   endif
   trial = trials{known};
@@ -15,7 +16,7 @@ endfunction
 
 %!test
 %! ladder.name = @(n) sprintf ("%d", n);
-%! ladder.trial = @(n) struct ("x", n, "y", rand ());
+%! ladder.trial = @(n, like) struct ("x", n, "y", rand ());
 %! [first, trials] = run_once (ladder, 3, {});
 %! [second, trials] = run_once (ladder, 3, trials);
 %! assert (second, first); assert (numel (trials), 1);

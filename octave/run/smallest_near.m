@@ -76,7 +76,7 @@ endfunction
 %!  sum_of = @(n) sum (amplitudes(1:n));
 %!  ladder = struct ("parts", {{"terms"}}, "smaller", @(n, part) max (n - 1, 0), "poorer", @clearly_fewer);
 %!  ladder.left_out = @(reference, n, part) seen*abs (sum_of (reference.rung) - sum_of (n));
-%!  ladder.trial = @(n) struct ("x", sum_of (n), "y", 0);
+%!  ladder.trial = @(n, like) struct ("x", sum_of (n), "y", 0);
 %!  ladder.name = @(n) sprintf ("%d terms", n);
 %!endfunction
 %!test # three terms are within 0.002; so they are found where the motion shows a fifth or thrice of what is left

@@ -14,6 +14,7 @@ function kind = mechanism_kind ()
   kind.far_richer = @far_richer_rung;
   kind.build = @(scene, rung) build_mechanism (scene, mechanism_rungs (scene, rung.bending, rung.longitudinal));
   kind.system = @assembled_system;
+  kind.led_by = @led_by_run;
   kind.observe = @observe_mechanism;
   ## what is damped falls about as the tolerance's square root
   kind.tighter = @(solver, off) setfield (solver, "tolerance", solver.tolerance*min (max ((5e-8/off)^2, 1e-3), 0.1));

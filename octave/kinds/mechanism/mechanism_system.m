@@ -5,7 +5,7 @@
 ##
 ## Fields: n, constraint_count, spring_count, stiffness, damping_matrix (n-by-n, constant), mass (n-by-n, of the bodies
 ## as they are made), duration, breaks, forms, auto, q_scale (m: what each coordinate may be off by where a point is
-## off by 1 m), and, for times t (1-by-k) and states q, v (n-by-k),
+## off by 1 m), q_points (see @code{points_of_coordinates}), and, for times t (1-by-k) and states q, v (n-by-k),
 ##
 ## @table @code
 ## @item at (t, q, v)
@@ -50,6 +50,7 @@ function system = mechanism_system (scene, mechanism)
       system.damping_matrix(index(1:n),index(1:n)) = group.model.arrays.damping*group.model.arrays.stiffness_matrix;
     endfor
   endfor
+  system.q_points = points_of_coordinates (mechanism);
   q = v = zeros (system.n, 1);
   system.mass = mechanism_matrices (mechanism, rod_dynamics (mechanism, q, v));
   system.prescribed = @(t) prescribed_at (mechanism, t);

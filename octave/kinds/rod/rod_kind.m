@@ -13,6 +13,7 @@ function kind = rod_kind ()
   kind.far_richer = @far_richer_rung;
   kind.build = @build_model;
   kind.system = @rod_system;
+  kind.led_by = @(system, run) system;
   kind.observe = @observe_rod;
   kind.tighter = @(solver, off) setfield (solver, "tolerance", solver.tolerance*min (max (1e-7/off, 1e-3), 0.1));
   kind.dropped = @dropped_of_rod;

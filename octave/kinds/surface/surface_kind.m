@@ -13,6 +13,7 @@ function kind = surface_kind ()
   kind.far_richer = @(scene, model) min (2*model.numbers.modes, 32);
   kind.build = @(scene, rung) surface_rod (setfield (scene, "model", "modes", rung));
   kind.system = @(scene, model) model;
+  kind.led_by = @(system, run) system;
   kind.observe = @observe_surface;
   kind.tighter = @(solver, off) setfield (solver, "tolerance", solver.tolerance*min (max (5e-8/off, 1e-3), 0.1));
   kind.dropped = @(scene, run, reference) [];

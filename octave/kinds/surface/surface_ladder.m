@@ -41,7 +41,7 @@ endfunction
 %! scene = check_surface_scene (scene);
 %! choice = choose (ladder_of (surface_kind (), scene), 1e-4);
 %! assert (choice.error_m <= 1e-4); assert (choice.warnings, {});
-%! trial = ladder_of (surface_kind (), scene).trial;
+%! trial = @(rung) ladder_of (surface_kind (), scene).trial (rung, []);
 %! rich = trial ([20 20]);
 %! true_error = distance (choice.trial, rich);
 %! assert (true_error <= 1e-4); assert (choice.error_m/true_error, 1, 0.5);
@@ -51,8 +51,8 @@ endfunction
 %! scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 0.01, ...
 %!                 "rod", struct ("length", 2, "EA", 3, "EI", 1, "rhoA", 1));
 %! ladder = ladder_of (surface_kind (), check_surface_scene (scene));
-%! assert (ladder.left_out (ladder.trial ([6 6]), [4 4], "polynomials"), 0, 1e-12);
+%! assert (ladder.left_out (ladder.trial ([6 6], []), [4 4], "polynomials"), 0, 1e-12);
 %! scene.initial.shape = @(xi) [2/pi*sin(pi/4*xi); 2/pi*(1 - cos (pi/4*xi))];
 %! ladder = ladder_of (surface_kind (), check_surface_scene (scene));
-%! run = ladder.trial ([8 8]);
+%! run = ladder.trial ([8 8], []);
 %! assert (ladder.left_out (run, [4 4], "polynomials") > 10*ladder.left_out (run, [5 5], "polynomials"));

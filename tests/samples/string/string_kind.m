@@ -15,6 +15,7 @@ function kind = string_kind ()
   kind.far_richer = @(scene, model) 2*model.elements + 6;
   kind.build = @(scene, rung) setfield (scene.string, "elements", rung);
   kind.system = @string_system;
+  kind.led_by = @(system, run) system;
   kind.observe = @observe;
   kind.tighter = @(solver, off) setfield (solver, "tolerance", solver.tolerance/10);
   kind.dropped = @(scene, run, reference) [];
