@@ -1,22 +1,23 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{a}, @var{stages}, @var{tangents}, @var{message}] =} collocation_stages (@var{system}, @
-##   @var{method}, @var{t}, @var{h}, @var{z}, @var{z_dot}, @var{a}, @var{size})
+##   @var{method}, @var{t}, @var{h}, @var{z}, @var{z_dot}, @var{a}, @var{size}, @var{tangents})
 ## Accelerations @var{a} (n-by-s) at the stages of a collocation @var{method} (see @code{collocation}) in a step of
 ## @var{h} (s) from the time @var{t}, place @var{z} and velocity @var{z_dot} of a rod on a surface (see
 ## @code{surface_rod}) on, by Newton's iteration from a first guess of @var{a}, until a step of it moves no point by
 ## @var{size} (m).
 ##
-## @var{stages}: a cell of places and velocities; @var{tangents}: a struct of M and K (n-by-n-by-s).  @var{message}:
-## why there are none, or "".
+## @var{stages}: a cell of places and velocities; @var{tangents}: a struct of M and K (n-by-n-by-s), h, and the factors
+## of Newton's matrix; those of a step before, where they are given and h is the same, are taken for as long as they
+## serve.  @var{message}: why there are none, or "".
 ##
 ## Every stage has its own stiffness in Newton's matrix: what stretches turns with the rod within a step, and is stiff.
 ## @end deftypefn
 
-function [a, stages, tangents, message] = collocation_stages (system, method, t, h, z, z_dot, a, size)
+function [a, stages, tangents, message] = collocation_stages (system, method, t, h, z, z_dot, a, size, tangents = [])
   message = "its Newton iteration did not converge";
-  tangents = [];
   t += h*method.points.';
   change = rate = NaN;
+  known = ! isempty (tangents) && tangents.h == h;
   for iteration = 1:12
     stages = {z + h*z_dot*method.points.' + h^2*a*method.AA.', z_dot + h*a*method.A.'};
     R = system.residual (t, stages{:}, a);
@@ -29,11 +30,10 @@ function [a, stages, tangents, message] = collocation_stages (system, method, t,
     elseif (! (change < 10*system.points(end)) && iteration > 1 || (iteration > 3 && rate > 0.9))
       return;
     endif
-    if (! (rate <= 0.2))
-      tangents = tangents_of (system, t, stages, a);
-      [lower, upper, order] = lu (newton_matrix (method, h, tangents), "vector");
+    if (! (rate <= 0.2 || (known && iteration == 1)))
+      tangents = tangents_of (system, method, t, h, stages, a);
     endif
-    step = -reshape (upper \ (lower \ R(:)(order)), rows (a), []);
+    step = -reshape (tangents.upper \ (tangents.lower \ R(:)(tangents.order)), rows (a), []);
     a += step;
     before = change;
     change = system.size (h^2*step);
@@ -41,9 +41,11 @@ function [a, stages, tangents, message] = collocation_stages (system, method, t,
   endfor
 endfunction
 
-function tangents = tangents_of (system, t, stages, a)
+function tangents = tangents_of (system, method, t, h, stages, a)
+  tangents.h = h;
   tangents.K = system.tangent_stiffness (t, stages{:}, a);
   tangents.M = system.mass_matrix (stages{1});
+  [tangents.lower, tangents.upper, tangents.order] = lu (newton_matrix (method, h, tangents), "vector");
 endfunction
 
 function matrix = newton_matrix (method, h, tangents)

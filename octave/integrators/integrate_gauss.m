@@ -18,11 +18,12 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
   m = 2;
   n = system.n;
   largest = system.energy_floor;
+  tangents = [];
   for k = 2:numel (times)
     interval = times([k-1, k]);
     tolerance = solver.tolerance*diff (interval)/system.duration;
     pieces = max (1, floor (m/2));
-    coarse = march (system, method, interval, y, pieces);
+    coarse = march (system, method, interval, y, pieces, []);
     do
       m = 2*pieces;
       if (m > 2^13)
@@ -30,7 +31,7 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
                           "its steps shrank to nothing", ...
                           sprintf ("a larger tolerance than %.2g m", solver.tolerance));
       endif
-      fine = march (system, method, interval, y, m);
+      [fine, tangents] = march (system, method, interval, y, m, tangents);
       steps += 3*pieces;
       change = fine - coarse;
       [drift, largest] = energy_drift (system, y, fine, largest);
@@ -61,7 +62,7 @@ function [drift, largest] = energy_drift (system, before, after, largest)
 endfunction
 
 ## m equal steps; no numbers where Newton's iteration does not converge
-function y = march (system, method, interval, y, m)
+function [y, tangents] = march (system, method, interval, y, m, tangents)
   h = diff (interval)/m;
   n = system.n;
   acceleration = [];
@@ -74,8 +75,8 @@ function y = march (system, method, interval, y, m)
     else
       acceleration *= method.onward.';
     endif
-    [acceleration, stages, ~, message] = collocation_stages (system, method, t, h, z, z_dot, acceleration, ...
-                                                             1e-12*system.points(end));
+    [acceleration, stages, tangents, message] = collocation_stages (system, method, t, h, z, z_dot, acceleration, ...
+                                                                    1e-12*system.points(end), tangents);
     if (! isempty (message))
       y(:) = NaN;
       return;

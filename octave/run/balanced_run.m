@@ -2,10 +2,10 @@
 ## @deftypefn {} {@var{run} =} balanced_run (@var{kind}, @var{scene}, @var{model}, @var{choice})
 ## The run (see @code{kind_of}) of a checked scene by its solver.  A model that was chosen has a trial run (see
 ## @code{choose}), which is taken for the solver "auto", and for that by which it is where it keeps its energy balance.
-## "auto" is asked for less, six times at most, until the balance is within 1e-7 of what changes (see
-## @code{energy_error}), or until a second and later attempt does not help: what no point follows, the work and what
-## dissipates, may be off by more than the points, and implicit methods damp what their steps pass over, small as its
-## way may be.
+## "auto" is asked for less, or for another method (tighter of a kind), six times at most, until the balance is within
+## 1e-7 of what changes (see @code{energy_error}), or until a second and later attempt does not help: what no point
+## follows, the work and what dissipates, may be off by more than the points, and implicit methods damp what their steps
+## pass over, small as its way may be.
 ## @end deftypefn
 
 function run = balanced_run (kind, scene, model, choice)
@@ -21,7 +21,7 @@ function run = balanced_run (kind, scene, model, choice)
   last = Inf;
   off = max (energy_error (run.history));
   attempts = 0;
-  while (strcmp (solver.name, "auto") && off > 1e-7 && (off <= last/2 || attempts < 2) && attempts < 6)
+  while (strcmp (scene.solver.name, "auto") && off > 1e-7 && (off <= last/2 || attempts < 2) && attempts < 6)
     solver = kind.tighter (solver, off);
     before = run.count;
     run = run_model (kind, scene, model, solver, run);

@@ -15,7 +15,7 @@ function kind = surface_kind ()
   kind.system = @(scene, model) model;
   kind.led_by = @(system, run) system;
   kind.observe = @observe_surface;
-  kind.tighter = @(solver, off) setfield (solver, "tolerance", solver.tolerance*min (max (5e-8/off, 1e-3), 0.1));
+  kind.tighter = @tighter;
   kind.dropped = @(scene, run, reference) [];
   kind.instead = @(scene) "";
   kind.foreseen = @(scene, model) {};
@@ -29,6 +29,15 @@ function kind = surface_kind ()
   kind.sized = @model_of_size;
   kind.at_rest = @surface_at_rest;
   kind.reference = {"radau", 1e-10};
+endfunction
+
+## Radau's method damps what stretches, small as its way may be, until its steps resolve it; Gauss's keeps its energy.
+function solver = tighter (solver, off)
+  if (off > 5e-6)
+    solver.name = "gauss";
+  else
+    solver.tolerance *= min (max (5e-8/off, 1e-3), 0.1);
+  endif
 endfunction
 
 function [rung, note] = stated_rung (scene)

@@ -18,6 +18,8 @@ function system = surface_rod (scene)
   for name = {"moment", "tip_moment", "force"}
     scene.(name{1}) = watched_load (name{1}, scene.(name{1}));
   endfor
+  loads = {scene.moment, scene.tip_moment, scene.force};
+  system.loaded = any (cellfun (@(load) ! isnumeric (load) || any (load), loads));
   system.place = place_rod (scene, surface);
   system.surface = surface;
   system.numbers = struct ("modes", scene.model.modes, "sines", scene.model.sines);
@@ -75,11 +77,11 @@ endfunction
 
 ## generalized forces of the loads at both ends
 function Q = load_of (t, z, ends, system, scene)
-  loads = [at_times(scene.moment, t); at_times(scene.tip_moment, t); at_times(scene.force, t)];
-  if (! any (loads(:)))
+  if (! system.loaded)
     Q = 0*z;
     return;
   endif
+  loads = [at_times(scene.moment, t); at_times(scene.tip_moment, t); at_times(scene.force, t)];
   loads = repmat (loads, 1, columns (z)/numel (t));
   none = 0*loads(1,:);
   f = fields_of_basis (ends, z, z, z);
