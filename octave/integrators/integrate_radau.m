@@ -18,7 +18,7 @@ function [states, steps] = integrate_radau (system, times, start, solver)
   y.sigma = at.springs.tension;
   states.lambda(:,1) = y.lambda;
   plan = struct ("h", min (diff (times)(1)/4, 1e-3*system.duration), "panels", 1, "whole", 0, "patience", 4);
-  plan.most = max (1, min (32, floor (7e3/system.n^2)));
+  plan.most = max (1, min (64, floor (7e3/system.n^2)));
   guess = alone = @(t) taylor (y, t - y.t);
   steps = refused = 0;
   while (y.t < times(end))
