@@ -6,7 +6,8 @@
 ## or a struct; `help scene_fields' lists its fields.  The options stand for fields of the scene: "modes" ([N1 N2] or
 ## "auto"), "solver" (a name), "tolerance" (m, or "pixel"), "size" ([W H] of a frame in pixels); "output" is the folder
 ## to write into (default output/NAME; "" writes nothing), and "pictures" (true or false) says whether there are to be
-## more than history.csv and summary.json.
+## more than history.csv and summary.json.  "dense" (1/s) adds dense.csv, a table like history.csv of so many times a
+## second.
 ##
 ## @var{result}, where it is asked for, is the run (see @code{kind_of}) with its scene and
 ## summary.
@@ -59,5 +60,5 @@ endfunction
 %! assert (result.history.t(end), 1.8);
 %! assert (result.summary.method, "waveform");
 %!error <model.modes is "many": it takes "auto" or two numbers of modes \[N1 N2\]> driver ("paper", "modes", "many")
-%!error <"speed" is not an option: those are modes, solver, tolerance, size, output, pictures>
+%!error <"speed" is not an option: those are modes, solver, tolerance, size, output, pictures, dense>
 %! driver ("paper", "speed", 3);

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{arguments} =} environment_options ()
 ## The arguments of @code{driver} from the environment, as `make simulate' passes them: SCENE, MODES, SOLVER,
-## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES (yes or no), BUDGET, TIME and SPEEDS (0:0.5:12), those that are set
+## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES (yes or no), DENSE, BUDGET, TIME and SPEEDS (0:0.5:12), those that are set
 ## and not empty.
 ## @end deftypefn
 
@@ -11,7 +11,7 @@ function arguments = environment_options ()
     scene = "paper";
   endif
   arguments = {scene};
-  for name = {"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "BUDGET", "TIME", "SPEEDS"}
+  for name = {"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "DENSE", "BUDGET", "TIME", "SPEEDS"}
     value = getenv (name{1});
     if (! any (strcmp (name{1}, {"SOLVER", "OUTPUT"})))
       value = number_or_text (value);

@@ -15,9 +15,10 @@ function check_drawing (drawing)
     endif
     check_fields (body, sprintf ("bodies(%d).", i), frames);
   endfor
+  times = struct ("strips", frames, "panels", numel (panel_time (drawing)));
   for kind = {"strips", "panels"}
     for i = 1:numel (drawing.(kind{1}))
-      check_fields (struct ("values", drawing.(kind{1})(i).values), sprintf ("%s(%d).", kind{1}, i), frames);
+      check_fields (struct ("values", drawing.(kind{1})(i).values), sprintf ("%s(%d).", kind{1}, i), times.(kind{1}));
     endfor
   endfor
 endfunction

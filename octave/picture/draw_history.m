@@ -7,11 +7,12 @@
 
 function job = draw_history (drawing, scratch)
   panels = drawing.panels;
-  frames = numel (drawing.time);
-  shown = 1:ceil (frames/20000):frames;  # more would be a file that no browser opens
+  time = panel_time (drawing);
+  shown = 1:ceil (numel (time)/20000):numel (time);  # more would be a file that no browser opens
   settings = scene_settings (drawing, fit_camera (drawing, [1 1]));
   settings.t = padded_range (drawing.time);
   settings.panels = numel (panels);
+  settings.dots = double (isequal (time, drawing.time));  # a frame each
   inside = drawing.moment_breaks > drawing.time(1) & drawing.moment_breaks < drawing.time(end);
   settings.break_count = sum (inside);
   settings.breaks = num2cell (drawing.moment_breaks(inside));
@@ -31,7 +32,7 @@ function job = draw_history (drawing, scratch)
     panel = struct ("label", label, "names", {panels(i).names}, ...
                     "range", padded_range (values), "step", tic_step (padded_range (values), 5));
     write_text (fullfile (scratch, sprintf ("panel_%d.gp", i)),
-                [gnuplot_settings(panel), gnuplot_block("curves", {[drawing.time(shown); values(:,shown)].'})]);
+                [gnuplot_settings(panel), gnuplot_block("curves", {[time(shown); values(:,shown)].'})]);
   endfor
   job = start_gnuplot (scratch, "history.gp");
 endfunction

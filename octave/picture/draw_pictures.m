@@ -22,6 +22,8 @@
 ## up to four panels (see @code{new_panel}) beside each frame, whose curves a mark runs along;
 ## @item panels
 ## those of @file{history.svg}, from top to bottom;
+## @item panel_time
+## where their times (s) are not those of the frames;
 ## @item notes
 ## where there are some: what there is to say about what is drawn (cellstr), for the summary;
 ## @item equations

@@ -6,6 +6,7 @@ X(pixels) = pixels/1000.
 Y(pixels) = pixels/real(height)
 
 set output "../history.svg"
+curve = dots ? "linespoints pt 7 ps 0.2" : "lines"
 set multiplot
 set label 1 title at screen X(95),Y(height - 25) noenhanced font sprintf("sans-serif,%g", title_size)
 set xrange [t_low:t_high]
@@ -25,7 +26,7 @@ do for [p=1:panels] {
   set label 2 label at graph 0,1.1 textcolor rgb ink
   if (p == panels) { set format x "%h"; set xlabel "{/:Italic t}, s" }
   marks = p == 1 && break_count > 0
-  plot for [k=1:|names|] $curves using 1:k+1 with linespoints lt k lw 1 + 2.5/k pt 7 ps 0.2 \
+  plot for [k=1:|names|] $curves using 1:k+1 with @curve lt k lw 1 + 2.5/k \
       title names[k], NaN with lines dt 2 lw 1 lc rgb ink title (marks ? "break of loads" : "")
   unset label 1
 }

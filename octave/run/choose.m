@@ -13,8 +13,8 @@
 ## @var{ladder} is a struct of share, parts (a cell array) and functions: first () = [rung, why] (a sentence, or
 ## empty), richer (rung), smaller (rung, part), the same rung where there is none, left_out (reference, rung, part),
 ## what a rung leaves out of a part of the reference's motion (m; NaN: that cannot be told, Inf: it cannot do without),
-## dropped (trial), what all rungs leave out (m), poorer (rung, reference), whether the reference is so much richer that
-## it tells the rung's error, trial (rung, like) (see @code{try_rung}) and name (rung).
+## dropped (trial), what all rungs leave out (m), poorer (rung, reference), whether the reference is so much richer
+## that it tells the rung's error, trial (rung, like) (see @code{try_rung}) and name (rung).
 ##
 ## @var{choice}: trial (the chosen one), reference (what it is compared with), rung, error_m (their distance), reason
 ## (a sentence), tried (a struct array of rung, name, error_m, seconds, calls, message, chosen) and warnings (cellstr).

@@ -4,8 +4,8 @@
 ## struct as scene.solver, which is the default): a struct of
 ##
 ## @table @code
-## @item model, count, warnings
-## the model, the count of @code{integrate}, and what the system has to say
+## @item model, solver, count, warnings
+## the model, the solver and the count of @code{integrate}, and what the system has to say
 ## @item history
 ## what is observed at the frame times: a struct with t, T, U, Z, W, D, balance and energy_floor, and what the kind has
 ## @item x, y, z
@@ -13,7 +13,8 @@
 ## @end table
 ##
 ## A run @var{before} leads this one (see led_by of a kind). Where it is of the same model the energies are known: work
-## and what dissipates are then integrated to a share of what changes. A run that leaves its energy balance is an error, but that "auto" tries with less first, three times.
+## and what dissipates are then integrated to a share of what changes. A run that leaves its energy balance is an
+## error, but that "auto" tries with less first, three times.
 ## @end deftypefn
 
 function run = run_model (kind, scene, model, solver = scene.solver, before = [])
@@ -36,6 +37,7 @@ function run = run_model (kind, scene, model, solver = scene.solver, before = []
   endfor
   watch_balance (run.history, system, count);
   run.model = model;
+  run.solver = solver;
   run.count = count;
   run.warnings = system.warnings;
 endfunction

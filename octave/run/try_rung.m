@@ -2,7 +2,8 @@
 ## @deftypefn {} {@var{trial} =} try_rung (@var{ladder}, @var{rung}, @var{like})
 ## Run a @var{rung} of a @var{ladder} of models (see @code{choose}): what its function trial returns, a struct with the
 ## points x and y, and z on a surface (points-by-frames, m), and the integrator's count, and with the rung and the
-## seconds that it took.  The trial of a @var{like} rung, where there is one, leads it.  A run that fails leaves error, its message, and NaN for the points.
+## seconds that it took.  The trial of a @var{like} rung, where there is one, leads it.  A run that fails leaves error,
+## its message, and NaN for the points.
 ## @end deftypefn
 
 function trial = try_rung (ladder, rung, like = [])

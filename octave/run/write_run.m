@@ -3,8 +3,9 @@
 ##   @var{start})
 ## All files of a @var{run} of a scene of a @var{kind} (see @code{kind_of}) into the folder of @var{output} (see
 ## @code{take_options}), and what a person at the terminal wants to know of it.  The numbers come first, history.csv
-## and summary.json, then the pictures of the kind's drawing (see @code{draw_pictures}); what of them cannot be made is
-## a warning.  The summary comes back with that, and with the seconds of each part, those since @var{start} (a tic).
+## and summary.json, then dense.csv, where it is wanted, and the pictures of the kind's drawing (see
+## @code{draw_pictures}); what of them cannot be made is a warning.  The summary comes back with that, and with the
+## seconds of each part, those since @var{start} (a tic).
 ## @end deftypefn
 
 function summary = write_run (output, kind, scene, run, summary, start)
@@ -14,12 +15,19 @@ function summary = write_run (output, kind, scene, run, summary, start)
   endif
   pictures = {"frames", "animation.mp4", "animation.gif", "figure3.svg", "figure3.png", "figure3.pdf", ...
               "history.svg", "report.html"};
-  names = {"history.csv", "summary.json"};
-  draw = @() kind.drawing (scene, run);
+  names = {"history.csv", "summary.json", "dense.csv"};
+  draw = @() with_dense_curves (kind.drawing (scene, run), kind, scene, run);
   summary.seconds.pictures = 0;
   summary.seconds.total = toc (start);
   ## The pictures of the last run go before its numbers do: they would not belong to these.
   publish_run (folder, [pictures, names], @write_numbers);
+  if (! isempty (output.dense))
+    try
+      publish_run (folder, {"dense.csv"}, @write_dense);
+    catch err
+      warn ("dense.csv is missing: %s", err.message);
+    end_try_catch
+  endif
   if (output.pictures)
     try
       publish_run (folder, pictures, @draw_all);
@@ -32,14 +40,18 @@ function summary = write_run (output, kind, scene, run, summary, start)
     catch err
       warn ("summary.json lacks the seconds and the warnings of the pictures: %s", err.message);
     end_try_catch
-    names = [names, pictures(cellfun (@(name) exist (fullfile (folder, name)) > 0, pictures))];
+    names = [names, pictures];
   endif
+  names = names(cellfun (@(name) exist (fullfile (folder, name)) > 0, names));
   cellfun (@(line) say ("%s", line), closing_lines (output, summary, names));
 
   function write_numbers (aside)
-    [names_of_columns, table] = kind.columns (scene, run);
-    write_history (names_of_columns, table, fullfile (aside, "history.csv"));
+    write_columns (kind, scene, run, fullfile (aside, "history.csv"));
     write_last (aside);
+  endfunction
+
+  function write_dense (aside)
+    write_columns (kind, scene, dense_run (kind, scene, run, output.dense), fullfile (aside, "dense.csv"));
   endfunction
 
   function write_last (aside)
@@ -55,6 +67,11 @@ function summary = write_run (output, kind, scene, run, summary, start)
   endfunction
 endfunction
 
+function write_columns (kind, scene, run, file)
+  [names, table] = kind.columns (scene, run);
+  write_history (names, table, file);
+endfunction
+
 %!function check_files (folder, scratch)
 %!  evalc ("result = driver ('paper', 'modes', [0 0], 'output', folder);");
 %!  assert (result.summary.warnings, {});
@@ -66,6 +83,16 @@ endfunction
 %!  endfor
 %!endfunction
 %!test in_scratch (@check_files); # every file of a run is there
+%!function check_dense (folder, scratch)
+%!  lines = @(name) strsplit (fileread (fullfile (folder, name)), "\n");
+%!  evalc ("driver ('paper', 'modes', [0 0], 'pictures', false, 'output', folder, 'dense', 1e3);");
+%!  assert (lines ("dense.csv"){1}, lines ("history.csv"){1});
+%!  assert (csvread (fullfile (folder, "dense.csv"), 1, 0)(1:20:end,:), csvread (fullfile (folder, "history.csv"), 1, 0), ...
+%!          1e-6);
+%!  evalc ("driver ('paper', 'modes', [0 0], 'pictures', false, 'output', folder);");
+%!  assert (exist (fullfile (folder, "dense.csv")), 0);  # it would be of another run
+%!endfunction
+%!test in_scratch (@check_dense);
 %!function check_without_pictures (folder)
 %!  evalc ("result = driver ('paper', 'modes', [0 0], 'output', folder);");
 %!  written = jsondecode (fileread (fullfile (folder, "summary.json")));

@@ -2,11 +2,12 @@
 ## @deftypefn {} {[@var{scene}, @var{output}] =} take_options (@var{scene}, @var{folder}, @var{options})
 ## Put the options of @code{driver}, a cell array of names and values, into the scene's fields, and those that say what
 ## is written into the struct @var{output}: its @code{folder} (@var{folder}, unless the option "output" replaces it; ""
-## writes nothing), and whether there are @code{pictures} (true, unless the option is false).
+## writes nothing), whether there are @code{pictures} (true, unless the option is false), and how many times a second
+## (1/s) a @code{dense} table has, [] for none.
 ## @end deftypefn
 
 function [scene, output] = take_options (scene, folder, options)
-  output = struct ("folder", folder, "pictures", true);
+  output = struct ("folder", folder, "pictures", true, "dense", []);
   if (mod (numel (options), 2) != 0)
     scene_error ("driver: options come as names and values, in pairs");
   endif
@@ -21,10 +22,15 @@ function [scene, output] = take_options (scene, folder, options)
         scene_error ("driver: pictures is %s: it takes true or false, PICTURES=yes or no", disp_name (value));
       endif
       output.pictures = logical (value);
+    elseif (strcmp (name, "dense"))
+      if (! (isnumeric (value) && isscalar (value) && value > 0 && isfinite (value)))
+        scene_error ("driver: dense is %s: it takes a positive number, of times a second", disp_name (value));
+      endif
+      output.dense = value;
     elseif (ischar (name) && isfield (fields, name))
       scene = setfield (scene, fields.(name){:}, value);
     else
-      scene_error ("driver: \"%s\" is not an option: those are %s, output, pictures", disp_name (name), ...
+      scene_error ("driver: \"%s\" is not an option: those are %s, output, pictures, dense", disp_name (name), ...
                    strjoin (fieldnames (fields).', ", "));
     endif
   endfor
@@ -36,11 +42,13 @@ endfunction
 
 %!test
 %! [scene, output] = take_options (struct (), "output/x", {"modes", [1 2], "output", "here"});
-%! assert (scene.model.modes, [1 2]); assert (output, struct ("folder", "here", "pictures", true));
+%! assert (scene.model.modes, [1 2]); assert (output, struct ("folder", "here", "pictures", true, "dense", []));
+%! assert (nthargout (2, @take_options, scene, "here", {"dense", 1e3}).dense, 1e3);
 %! assert (nthargout (2, @take_options, scene, "here", {"pictures", false}).pictures, false);
 %! assert (nthargout (2, @take_options, scene, "here", {"pictures", 1}).pictures, true);
 %!assert (nthargout (2, @take_options, struct (), "", {"output", "-x"}).folder, "./-x")
 %!error <driver: pictures is maybe: it takes true or false, PICTURES=yes or no>
 %! take_options (struct (), "", {"pictures", "maybe"});
+%!error <driver: dense is -1: it takes a positive number, of times a second> take_options (struct (), "", {"dense", -1});
 %!error <in pairs> take_options (struct (), "", {"modes"})
 %!error <driver: pictures is 2: it takes> take_options (struct (), "", {"pictures", 2});

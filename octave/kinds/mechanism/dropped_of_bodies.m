@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{dropped} =} dropped_of_bodies (@var{scene}, @var{mechanism}, @var{history})
 ## How far what the rods' models drop beyond foreshortening may move a mechanism's points, without what it does over
-## time, a struct as from @code{dropped_error} of which only the bound is known: the straight bodies' sum of how much nearer their points come to O, and how much their modes give to the
-## forces of what is dropped (see @code{dropped_forces}; with weight and rotation, without accelerations).
+## time, a struct as from @code{dropped_error} of which only the bound is known: the straight bodies' sum of how much
+## nearer their points come to O, and how much their modes give to the forces of what is dropped (see
+## @code{dropped_forces}; with weight and rotation, without accelerations).
 ## @end deftypefn
 
 function dropped = dropped_of_bodies (scene, mechanism, history)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{system} =} led_by_run (@var{system}, @var{run})
 ## A mechanism's @var{system} (see @code{mechanism_system}) with the motion of a @var{run} of the same scene by a like
-## model as a first guess of its own: led (t, y), coordinates and rates [q, v] at the times t (1-by-k, s) that follow the
-## state @var{y} (t, q, v).  Bodies move on as they did in the run, and keep their deformations.
+## model as a first guess of its own: led (t, y), coordinates and rates [q, v] at the times t (1-by-k, s) that follow
+## the state @var{y} (t, q, v).  Bodies move on as they did in the run, and keep their deformations.
 ## @end deftypefn
 
 function system = led_by_run (system, run)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{points} =} points_of_coordinates (@var{mechanism})
-## How far changes of the coordinates of a @var{mechanism} move points of its bodies (m), as its bodies are made: a sparse
-## m-by-n matrix, of each body x, y, its angle at the tip's distance and 11 stations' displacements along and across it.
-## Sines and corrections for the ends, each of them large, may leave every point where it is.
+## How far changes of the coordinates of a @var{mechanism} move points of its bodies (m), as its bodies are made: a
+## sparse m-by-n matrix, of each body x, y, its angle at the tip's distance and 11 stations' displacements along and
+## across it. Sines and corrections for the ends, each of them large, may leave every point where it is.
 ## @end deftypefn
 
 function points = points_of_coordinates (mechanism)

@@ -1,0 +1,18 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{dense} =} dense_run (@var{kind}, @var{scene}, @var{run}, @var{rate}, @var{seconds})
+## The @var{run} (see @code{kind_of}) of a checked scene once more, by the same model and solver, observed at
+## @var{rate} times a second: curves between frames.  What takes longer than so many @var{seconds} (default: any) is
+## given up, an error.
+## @end deftypefn
+
+function dense = dense_run (kind, scene, run, rate, seconds = Inf)
+  scene.frames_per_second = rate;
+  dense = run_model (kind, scene, run.model, setfield (run.solver, "seconds", seconds), run);
+endfunction
+
+%!test # the same motion, ten times as often
+%! scene = check_scene (setfield (setfield (paper (), "model", "modes", [0 2]), "duration", 0.5));
+%! run = run_model (rod_kind (), scene, build_model (scene, rung_of_scene (scene)));
+%! dense = dense_run (rod_kind (), scene, run, 500);
+%! assert (numel (dense.history.t), 251);
+%! assert (dense.history.tip_x(1:10:end), run.history.tip_x, 1e-9);
