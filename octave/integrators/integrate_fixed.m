@@ -62,19 +62,19 @@ function [states, steps] = march (method, system, times, y, solver, h)
 endfunction
 
 %!test # the step follows from the tolerance, or is the given one
-%! [scene, model] = sample_rod ([0 1], "duration", 0.4);
+%! [scene, model] = sample_rod ([0 1], "duration", 0.1);
 %! system = hinged_rod (scene, model);
 %! solver = struct ("name", "auto", "tolerance", 1e-8, "step", [], "rho_infinity", 0.8);
-%! reference = integrate (system, [0 0.2 0.4], solver);
+%! reference = integrate (system, [0 0.05 0.1], solver);
 %! solver.tolerance = 1e-5;
 %! for name = {"rk4", "stormer_verlet", "implicit_midpoint", "generalized_alpha", "trigonometric"}
 %!   solver.name = name{1};
-%!   assert (integrate (system, [0 0.2 0.4], solver)(1:2,:), reference(1:2,:), 1e-5);
+%!   assert (integrate (system, [0 0.05 0.1], solver)(1:2,:), reference(1:2,:), 1e-5);
 %! endfor
 %! solver.name = "rk4"; solver.step = 0.001;
-%! [~, count] = integrate (system, [0 0.2 0.4], solver);
-%! assert (count.steps, 400);
-%! assert (count.calls, 1600);
+%! [~, count] = integrate (system, [0 0.05 0.1], solver);
+%! assert (count.steps, 100);
+%! assert (count.calls, 400);
 %!error <rk4 stopped at t = 0 s of 1 s: it would take 1e\+09 steps, more than 1e8: .*; try steps below 0.028 s, a longer>
 %! integrate_fixed (@rk4, 4, struct ("mass", 1, "stiffness", 1e4), [0 1], [1; 0], struct ("step", 1e-9));
 %!error <rk4 stopped at t = \d.* s of 20 s: then its state is no number: a step of 0.1 s .* is 10 where .* stable below 2.828>

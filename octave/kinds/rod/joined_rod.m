@@ -29,7 +29,7 @@ endfunction
 %!function scene = swinging ()
 %!  scene.rod = struct ("length", 1, "EA", 1e4, "EI", 1, "rhoA", 1, "half_height", 0.005, "damping", 1e-3);
 %!  scene.model = struct ("modes", [1 2], "energy", "uniaxial", "stiffening", "foreshortening");
-%!  [scene.tip_mass, scene.duration, scene.frames_per_second, scene.solver.tolerance] = deal (0.3, 0.3, 20, 1e-11);
+%!  [scene.tip_mass, scene.duration, scene.frames_per_second, scene.solver.tolerance] = deal (0.3, 0.15, 20, 1e-11);
 %!  joint = @(kind, station, varargin) struct ("kind", kind, "stations", station, varargin{:});
 %!  scene.joints = {joint("torsion_spring", 0, "stiffness", 1, "damping", 0.01), ...
 %!                  joint("spring", 0.5, "point", [0.5 1], "stiffness", 30, "rest", 0.9, "damping", 0.2), ...
