@@ -6,6 +6,9 @@
 ## @end deftypefn
 
 function system = led_by_run (system, run)
+  if (numel (run.history.t) < 2)
+    return;
+  endif
   bodies = run.history.bodies;
   index = @(k) index_of (system.mechanism, k)(end-2:end);
   rows = cell2mat (arrayfun (index, (1:numel (bodies)).', "uniformoutput", false));
@@ -30,6 +33,7 @@ endfunction
 %! again = run_model (mechanism_kind (), scene, model, scene.solver, run);
 %! assert (again.count.calls < 0.9*run.count.calls);
 %! assert (distance (again, run) < scene.solver.tolerance);
+%! assert (isfield (led_by_run (struct (), struct ("history", struct ("t", 0))), "led"), false);  # a single frame
 %! astray = run;
 %! astray.history.bodies(2).phi += 3*sin (20*run.history.t);
 %! assert (distance (run_model (mechanism_kind (), scene, model, scene.solver, astray), run) < scene.solver.tolerance);
