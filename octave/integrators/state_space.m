@@ -21,8 +21,8 @@ endfunction
 
 function y_dot = rate (t, y, system, correction)
   n = system.n;
-  [a, lambda, at] = constrained_accelerations (system, t, y(1:n), y(n+1:2*n), correction);
-  y_dot = [y(n+1:2*n); a; system.work_rate(at, lambda); at.dissipated];
+  [a, lambda, at] = constrained_accelerations (system, t, y(1:n,:), y(n+1:2*n,:), correction);
+  y_dot = [y(n+1:2*n,:); a; system.work_rate(at, lambda); at.dissipated];
 endfunction
 
 function state = unpack (t, y, system, correction)
