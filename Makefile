@@ -34,7 +34,8 @@ help:
 		'[SCENE=paper MODES="7 7" BUDGET=60 seconds]'
 	@echo 'make stability   where integrators turn unstable on SCENE=..., predicted and measured: table and chart;' \
 		'without SCENE all about the paper'"'"'s rod'
-	@echo 'make statics     where SCENE=paper comes to rest under its loads, stable or not: shape, figures [TIME=0]'
+	@echo 'make statics     where SCENE=paper comes to rest under its loads, stable or not: shape, figures [TIME=0];' \
+		'[FACTOR=0:0.05:2] as its forces and moments grow so: path through buckling and snapping, SCENE=roof say'
 	@echo 'make modes       natural frequencies and modes of SCENE=paper about its equilibrium: table and shapes'
 	@echo 'make campbell    frequencies of one rod against its rotation, SCENE=spin_up say [SPEEDS=0:0.5:12]: table and diagram'
 	@echo 'make choices     all scenes that choose and 60 random ones: chosen models against far richer ones'

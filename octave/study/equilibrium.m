@@ -17,7 +17,7 @@ function [q, lambda, linear] = equilibrium (balance, t, q = balance.start)
   for sweep = 1:300
     linear = held_tangent (balance, t, q, lambda);
     r = balance.residual (t, q, 0*q, lambda);
-    onto = -inverse_of (linear.jacobian)*r(n+1:end);
+    onto = -inverse_of (linear.jacobian)*r(n+1:end,1);
     force = linear.basis.'*(r(1:n) - linear.stiffness*onto);
     step = onto + linear.basis*fall (linear, force);
     metres = balance.size (step);
@@ -43,14 +43,6 @@ function share = share_of (balance, t, q, lambda, step, share)
     endif
     share /= 2;
   endfor
-endfunction
-
-## also where there are no constraints, of which pinv gets the sizes wrong
-function inverse = inverse_of (jacobian)
-  inverse = zeros (columns (jacobian), rows (jacobian));
-  if (! isempty (jacobian))
-    inverse = pinv (jacobian);
-  endif
 endfunction
 
 ## what nothing holds is moved by what accelerates it by more than 1e-9 m/s^2
