@@ -1,10 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{summary} =} write_run (@var{output}, @var{kind}, @var{scene}, @var{run}, @var{summary}, @
-##   @var{start})
-## All files of a @var{run} of a scene of a @var{kind} (see @code{kind_of}) into the folder of @var{output} (see
-## @code{take_options}), and what a person at the terminal wants to know of it.  The numbers come first, history.csv
-## and summary.json, then the pictures of the kind's drawing (see @code{draw_pictures}); what of them cannot be made is
-## a warning.  The summary comes back with that, and with the seconds of each part, those since @var{start} (a tic).
+## @var{start}) All files of a @var{run} of a scene of a @var{kind} (see @code{kind_of}) into the folder of
+## @var{output} (see @code{take_options}), and what a person at the terminal wants to know of it. The numbers come
+## first, history.csv, end.csv and summary.json, then the pictures of the kind's drawing (see @code{draw_pictures});
+## what of them cannot be made is a warning. The summary comes back with that, and with the seconds of each part, those
+## since @var{start} (a tic).
 ## @end deftypefn
 
 function summary = write_run (output, kind, scene, run, summary, start)
@@ -14,7 +14,7 @@ function summary = write_run (output, kind, scene, run, summary, start)
   endif
   pictures = {"frames", "animation.mp4", "animation.gif", "figure3.svg", "figure3.png", "figure3.pdf", ...
               "history.svg", "report.html"};
-  names = {"history.csv", "summary.json"};
+  names = {"history.csv", "summary.json", "end.csv"};
   draw = @() kind.drawing (scene, run);
   summary.seconds.pictures = 0;
   summary.seconds.total = toc (start);
@@ -39,6 +39,7 @@ function summary = write_run (output, kind, scene, run, summary, start)
   function write_numbers (aside)
     [names_of_columns, table] = kind.columns (scene, run);
     write_history (names_of_columns, table, fullfile (aside, "history.csv"));
+    write_end (kind, scene, run, aside);
     write_last (aside);
   endfunction
 
@@ -72,7 +73,7 @@ endfunction
 %!  assert (result.summary.warnings, {"pictures are missing: no ink"});
 %!  assert (written.warnings, {"pictures are missing: no ink"});
 %!  assert (written.seconds.total >= written.seconds.integration); assert (written.seconds.pictures, 0);
-%!  assert (sort ({dir(folder).name}), {".", "..", "history.csv", "scratch", "summary.json"});
+%!  assert (sort ({dir(folder).name}), {".", "..", "end.csv", "history.csv", "scratch", "summary.json"});
 %!endfunction
 %!test # where nothing can be drawn, the numbers are there, and the summary says why there is no more
 %! stand_in = {"summary = draw_run", "varargin", "error (\"no ink\\n\");"};

@@ -45,12 +45,18 @@ function share = share_of (balance, t, q, lambda, step, share)
   endfor
 endfunction
 
-## what nothing holds is moved by what accelerates it by more than 1e-9 m/s^2
+## Newton's own step where all is held, also by a stiffness that is not symmetric; what nothing holds is moved by what
+## accelerates it by more than 1e-9 m/s^2
 function y = fall (linear, force)
   [modes, squares] = eig ((linear.K + linear.K.')/2, (linear.M + linear.M.')/2, "chol");
-  squares = abs (diag (squares));
+  squares = diag (squares);
+  least = max ([1e-13*abs(squares); 1e-12]);
+  if (squares > least)
+    y = linear.K \ force;
+    return;
+  endif
+  squares = abs (squares);
   pull = modes.'*force;
-  least = max ([1e-13*squares; 1e-12]);
   pull(squares < least & abs (pull) < 1e-9*sqrt (norm (linear.M))) = 0;
   y = modes*(pull./max (squares, least));
 endfunction
