@@ -40,6 +40,7 @@ function found = at_rest (kind, scene, t, measure, enough = 1e-6)
 endfunction
 
 function found = equilibrium_of (kind, scene, model, t, coarse)
+  found.time = t;
   found.balance = balance_near (kind, scene, model, coarse);
   [found.q, found.lambda, found.linear] = equilibrium (found.balance, t);
   found.vibrations = vibrations (found.linear);
