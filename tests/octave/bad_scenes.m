@@ -52,8 +52,8 @@ endfunction
 %! endfor
 
 %!test # where a run may start
-%! check ("initial.from", "nowhere", ["is \"nowhere\": it takes \"equilibrium\", or a folder in which a run has left its" ...
-%!                                    " end.csv, output/paper say"]);
+%! check ("initial.from", "nowhere", ["is \"nowhere\": it takes \"equilibrium\", or a folder in which a run has left" ...
+%!                                    " its end.csv, output/paper say"]);
 
 %!test # vectors
 %! for field = {"moment_breaks", "times in s"; "initial.V1", "amplitudes in m"; "initial.V2", "amplitudes in m"; ...
