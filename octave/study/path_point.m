@@ -47,6 +47,9 @@ endfunction
 ## as they fall, sweeps end where the next one moves nothing any more, or rounding alone
 function yes = has_come (moved)
   yes = moved(end) < 1e-9;
+  if (numel (moved) == 2)
+    yes |= moved(2) < 1e-7 && moved(2)^2/moved(1) < 1e-10;
+  endif
   if (numel (moved) > 2)
     ratios = moved(end-1:end)./moved(end-2:end-1);
     yes |= all (ratios < 1) && moved(end)*ratios(2) < 1e-10;
