@@ -18,7 +18,7 @@ derive_everything = maxima/derive "$$GENERATED" "$(MODES_LITERAL)"
 derive_surface = maxima/derive_surface "$${OUTPUT:-output/surfaces}" "$$SURFACE"
 draw_or_follow = $(if $(FUNCTION),argument_way (getenv ("FUNCTION"), getenv ("ARGUMENT")),draw_map ())
 
-.PHONY: help setup derive equations simulate models chart stability statics modes campbell choices conditioning check map systems \
+.PHONY: help setup derive equations simulate models chart stability statics modes campbell response choices conditioning check map systems \
 	pairs mutants fuzz clean dist
 
 help:
@@ -34,9 +34,12 @@ help:
 		'[SCENE=paper MODES="7 7" BUDGET=60 seconds]'
 	@echo 'make stability   where integrators turn unstable on SCENE=..., predicted and measured: table and chart;' \
 		'without SCENE all about the paper'"'"'s rod'
-	@echo 'make statics     where SCENE=paper comes to rest under its loads, stable or not: shape, figures [TIME=0]'
+	@echo 'make statics     where SCENE=paper comes to rest under its loads, stable or not: shape, figures [TIME=0];' \
+		'[FACTOR=0:0.05:2] as its forces and moments grow so: path through buckling and snapping, SCENE=roof say'
 	@echo 'make modes       natural frequencies and modes of SCENE=paper about its equilibrium: table and shapes'
 	@echo 'make campbell    frequencies of one rod against its rotation, SCENE=spin_up say [SPEEDS=0:0.5:12]: table and diagram'
+	@echo 'make response    how the tips of SCENE=two_link_arm answer harmonic loads about its equilibrium' \
+		'[FREQUENCIES=0:0.1:50]: table and figure'
 	@echo 'make choices     all scenes that choose and 60 random ones: chosen models against far richer ones'
 	@echo 'make conditioning    condition number of the mass matrix of arcs against the number of base functions: table'
 	@echo 'make map         the folders of octave/ and the calls between them: output/map.svg, .png' \
@@ -78,6 +81,9 @@ modes:
 
 campbell:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @campbell; run_command'
+
+response:
+	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @frequency_response; run_command'
 
 choices:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; verify_choices (shipped_and_random (20, 40));'

@@ -4,8 +4,8 @@
 ## struct as scene.solver, which is the default): a struct of
 ##
 ## @table @code
-## @item model, solver, count, warnings
-## the model, the solver and the count of @code{integrate}, and what the system has to say
+## @item model, solver, count, warnings, end_state
+## the model, the solver and the count of @code{integrate}, what the system has to say, and its state at the end
 ## @item history
 ## what is observed at the frame times: a struct with t, T, U, Z, W, D, balance and energy_floor, and what the kind has
 ## @item x, y, z
@@ -19,7 +19,7 @@
 
 function run = run_model (kind, scene, model, solver = scene.solver, before = [])
   times = frame_times (scene);
-  system = kind.system (scene, model);
+  system = started_system (kind, scene, model);
   if (! isempty (before))
     system = kind.led_by (system, before);
     if (isequal (before.model, model))
@@ -38,6 +38,7 @@ function run = run_model (kind, scene, model, solver = scene.solver, before = []
   watch_balance (run.history, system, count);
   run.model = model;
   run.solver = solver;
+  run.end_state = states(:,end);
   run.count = count;
   run.warnings = system.warnings;
 endfunction

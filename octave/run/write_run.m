@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{summary} =} write_run (@var{output}, @var{kind}, @var{scene}, @var{run}, @var{summary}, @
 ##   @var{start})
 ## All files of a @var{run} of a scene of a @var{kind} (see @code{kind_of}) into the folder of @var{output} (see
-## @code{take_options}), and what a person at the terminal wants to know of it.  The numbers come first, history.csv
-## and summary.json, then dense.csv, where it is wanted, and the pictures of the kind's drawing (see
+## @code{take_options}), and what a person at the terminal wants to know of it.  The numbers come first, history.csv,
+## end.csv and summary.json, then dense.csv, where it is wanted, and the pictures of the kind's drawing (see
 ## @code{draw_pictures}); what of them cannot be made is a warning.  The summary comes back with that, and with the
 ## seconds of each part, those since @var{start} (a tic).
 ## @end deftypefn
@@ -15,7 +15,7 @@ function summary = write_run (output, kind, scene, run, summary, start)
   endif
   pictures = {"frames", "animation.mp4", "animation.gif", "figure3.svg", "figure3.png", "figure3.pdf", ...
               "history.svg", "report.html"};
-  names = {"history.csv", "summary.json", "dense.csv"};
+  names = {"history.csv", "summary.json", "end.csv", "dense.csv"};
   draw = @() with_dense_curves (kind.drawing (scene, run), kind, scene, run);
   summary.seconds.pictures = 0;
   summary.seconds.total = toc (start);
@@ -47,6 +47,7 @@ function summary = write_run (output, kind, scene, run, summary, start)
 
   function write_numbers (aside)
     write_columns (kind, scene, run, fullfile (aside, "history.csv"));
+    write_end (kind, scene, run, aside);
     write_last (aside);
   endfunction
 
@@ -99,7 +100,7 @@ endfunction
 %!  assert (result.summary.warnings, {"pictures are missing: no ink"});
 %!  assert (written.warnings, {"pictures are missing: no ink"});
 %!  assert (written.seconds.total >= written.seconds.integration); assert (written.seconds.pictures, 0);
-%!  assert (sort ({dir(folder).name}), {".", "..", "history.csv", "scratch", "summary.json"});
+%!  assert (sort ({dir(folder).name}), {".", "..", "end.csv", "history.csv", "scratch", "summary.json"});
 %!endfunction
 %!test # where nothing can be drawn, the numbers are there, and the summary says why there is no more
 %! stand_in = {"summary = draw_run", "varargin", "error (\"no ink\\n\");"};

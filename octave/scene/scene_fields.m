@@ -29,6 +29,7 @@ function fields = scene_fields ()
     "force_station",         [],             "nonnegative number in m"
     "tip_mass",              0,              "nonnegative number in kg"
     "joints",                {},             "struct array, or cell array of structs"
+    "initial.from",          "",             "text"
     "initial.phi",           0,              "number in rad"
     "initial.phi_dot",       0,              "number in rad/s"
     "initial.V1",            [],             "vector of amplitudes in m"

@@ -1,21 +1,22 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{found} =} at_rest (@var{kind}, @var{scene}, @var{t}, @var{measure})
+## @deftypefn {} {@var{found} =} at_rest (@var{kind}, @var{scene}, @var{t}, @var{measure}, @var{enough})
 ## The equilibrium of a checked scene of a @var{kind} (see @code{kind_of}) under its loads at the time @var{t} (s),
 ## with the modes that it states, or with 4, 8, 16 and 32 base functions of each sort until none of @var{measure}
-## (found), a row of numbers, changes by more than 1e-6 of itself, or 1e-9 of the largest.
+## (found), a row of numbers, changes by more than @var{enough} of itself, 1e-6 by default, or a thousandth of that of
+## the largest.
 ##
 ## @var{found} is a struct of balance (see @code{mechanism_at_rest}), q, lambda and linear (see @code{equilibrium}),
 ## vibrations (see @code{vibrations}), functions (how many of each sort, NaN: stated) and change, of each number by the
 ## last doubling (NaN: stated, Inf: it has no one before).
 ## @end deftypefn
 
-function found = at_rest (kind, scene, t, measure)
+function found = at_rest (kind, scene, t, measure, enough = 1e-6)
   if (isempty (kind.at_rest))
     scene_error ("the kind \"%s\" says nothing of its equilibrium", kind.name);
   endif
   rung = kind.stated (scene);
   if (! isempty (rung))
-    found = equilibrium_of (kind, scene, kind.build (scene, rung), t);
+    found = equilibrium_of (kind, scene, kind.build (scene, rung), t, []);
     found.functions = NaN;
     found.change = NaN (size (measure (found)));
     return;
@@ -31,19 +32,16 @@ function found = at_rest (kind, scene, t, measure)
     common = 1:min (numel (now), numel (last));
     found.change(common) = abs (now(common) - last(common))./max (abs (now(common)), 1e-3*max (abs (now)));
     last = now;
-    if (n >= found.balance.most || found.change <= 1e-6)
+    if (n >= found.balance.most || found.change <= enough)
       break;
     endif
   endfor
   show_progress ("");
 endfunction
 
-## near a coarser one, where there is one whose functions are among the new ones
-function found = equilibrium_of (kind, scene, model, t, coarse = [])
-  found.balance = kind.at_rest (scene, model);
-  if (! isempty (coarse) && isfield (coarse.balance, "interpolation"))
-    found.balance.start = found.balance.interpolation \ (coarse.balance.interpolation*coarse.q);
-  endif
+function found = equilibrium_of (kind, scene, model, t, coarse)
+  found.time = t;
+  found.balance = balance_near (kind, scene, model, coarse);
   [found.q, found.lambda, found.linear] = equilibrium (found.balance, t);
   found.vibrations = vibrations (found.linear);
 endfunction

@@ -9,7 +9,8 @@
 function job = draw_shapes (name, panels, scene, scratch)
   for k = 1:numel (panels)
     for lines = {"faint", "strong"}
-      panels(k).(lines{1}) = cellfun (@(places) on_plane (places, scene), panels(k).(lines{1}), "uniformoutput", false);
+      panels(k).(lines{1}) = cellfun (@(places) on_picture (places, scene), panels(k).(lines{1}), ...
+                                      "uniformoutput", false);
     endfor
   endfor
   every = vertcat ([panels.faint]{:}, [panels.strong]{:});
@@ -27,13 +28,6 @@ function job = draw_shapes (name, panels, scene, scratch)
   endfor
   write_text (fullfile (scratch, "settings.gp"), text);
   job = start_gnuplot (scratch, "shapes.gp");
-endfunction
-
-function places = on_plane (places, scene)
-  if (columns (places) == 3)
-    [x, y] = seen (struct ("x", places(:,1), "y", places(:,2), "z", places(:,3)), scene.view);
-    places = [x, y];
-  endif
 endfunction
 
 %!test # on a plane and in space

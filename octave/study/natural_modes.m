@@ -61,17 +61,11 @@ endfunction
 
 ## the slowest six, by an eighth of the picture to both sides
 function panels = mode_panels (rows, found)
-  shape = @(step) found.balance.shape (found.q + step);
-  rest = shape (0);
-  extent = max ([range(vertcat (rest{:})), 1e-3*found.balance.length]);
   panels = struct ([]);
   for row = rows(1:min (end, 6))
     step = found.linear.basis*found.vibrations.shape(:,row.mode);
-    step *= 1e-4*found.balance.length/found.balance.size (step);
-    way = cellfun (@minus, shape (step), shape (-step), "uniformoutput", false);
-    large = extent/8/max (norm (vertcat (way{:}), "rows"));
-    moved = @(sign) cellfun (@(places, one) places + sign*large*one, rest, way, "uniformoutput", false);
-    panels(end+1) = struct ("title", title_of (row), "faint", {[rest, moved(-1)]}, "strong", {moved(1)});
+    [rest, back, ahead] = pushed_lines (found.balance, found.q, step);
+    panels(end+1) = struct ("title", title_of (row), "faint", {[rest, back]}, "strong", {ahead});
   endfor
 endfunction
 

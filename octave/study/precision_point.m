@@ -21,7 +21,7 @@ function row = precision_point (kind, scene, model, method, parameter, reference
                 "calls", 0, "part", 1, "failure", "");
   start = tic ();
   try
-    system = kind.system (scene, model);
+    system = started_system (kind, scene, model);
     [times, states, count, before] = as_far_as (system, scene, solver, reference.times, limit, expected);
     run = kind.observe (scene, model, system, times, states);
     last = frame_times (scene)(end);

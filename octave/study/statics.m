@@ -8,12 +8,38 @@
 ## Leaves shape.csv (41 places of each rod), statics.csv (figures), shape.svg and shape.png in the folder of the
 ## scene's output.  @var{found} is what @code{at_rest} returns, with shape, supports (see @code{mechanism_at_rest}),
 ## stable (whether no mode grows) and slowest (rad/s, the slowest vibration).
+##
+## The option "factor", at least two rising numbers, asks for the equilibria under so many times the forces and moments
+## of the scene and of its joints at that time; its weight, and what is prescribed, stay.  @var{found} is then the path
+## of @code{load_path}: what turns it unstable is said, and path.csv, path.svg and path.png are left instead.
+##
+## @example
+## found = statics ("roof", "factor", 0:0.05:1.2);
+## @end example
 ## @end deftypefn
 
 function found = statics (scene = "paper", varargin)
   [time, options] = taken_option (varargin, "time", 0, @(t) isscalar (t) && isreal (t) && isfinite (t) && t >= 0, ...
                                   "a time in s, not negative");
-  [scene, kind, output] = study_scene (scene, options, @scene_at_rest);
+  [factors, options] = taken_option (options, "factor", [], @are_factors, ...
+                                     "two rising numbers or more, FACTOR=0:0.05:2");
+  [scene, kind, output, left] = study_scene (scene, options, @scene_at_rest);
+  if (isempty (factors))
+    result = one_rest (kind, scene, output, time);
+  else
+    result = path_of_rests (kind, scene, output, time, factors, left);
+  endif
+  if (nargout > 0)
+    found = result;
+  endif
+endfunction
+
+function good = are_factors (factors)
+  good = isreal (factors) && isvector (factors) && numel (factors) > 1 && all (isfinite (factors)) ...
+         && all (diff (factors) > 0);
+endfunction
+
+function result = one_rest (kind, scene, output, time)
   result = at_rest (kind, scene, time, @(found) vertcat (found.balance.shape (found.q){:})(:).');
   result.shape = result.balance.shape (result.q);
   result.supports = result.balance.supports (time, result.q, result.lambda);
@@ -23,9 +49,16 @@ function found = statics (scene = "paper", varargin)
   publish_study (output, {"shape.csv", "statics.csv"}, {"shape.svg", "shape.png"}, ...
                  @(aside) write_statics (result, time, aside), ...
                  @(scratch) draw_shapes ("shape", panel_of (result), scene, scratch));
-  if (nargout > 0)
-    found = result;
-  endif
+endfunction
+
+function path = path_of_rests (kind, scene, output, time, factors, left)
+  path = load_path (kind, scene, time, factors, left);
+  for event = path.events
+    say ("  %.9g times the loads: %s", event.factor, event.what);
+  endfor
+  say ("  the path ends %s", path.end);
+  publish_study (output, {"path.csv"}, {"path.svg", "path.png"}, @(aside) write_path (path, aside), ...
+                 @(scratch) draw_path (path, scene, scratch));
 endfunction
 
 function describe (found, time)
@@ -67,6 +100,22 @@ endfunction
 %!   assert (csv(end,1:3), [1, found.shape{1}(end,:)], 1e-15);
 %!   assert (stat (fullfile (folder, "shape.png")).size > 5000);
 %!   assert (! isempty (strfind (said, "stable: the slowest vibration about it has")));
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect
+%!error <factor is 2: it takes two rising numbers or more> statics ("two_link_arm", "factor", 2)
+%!error <factor is 0   2   1: it takes two rising> statics ("two_link_arm", "factor", [0 2 1])
+%!error <no force and no moment at t = 0 s that a factor could multiply> statics ("swing", "factor", 0:1)
+%!test # a path, its table and its picture
+%! folder = tempname (); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   said = evalc ("found = statics ('roof', 'factor', [0 2], 'modes', [1 0], 'output', folder);");
+%!   assert ({found.events.what}, {"limit point", "limit point"});
+%!   assert (! isempty (strfind (said, sprintf ("  %.9g times the loads: limit point\n", found.events(1).factor))));
+%!   assert (! isempty (strfind (said, "the path ends at 2 times the loads, the last factor")));
+%!   csv = csvread (fullfile (folder, "path.csv"), 1, 0);
+%!   assert (csv(:,1).', found.factor, 1e-15);
+%!   assert (stat (fullfile (folder, "path.png")).size > 10000);
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");
 %! end_unwind_protect

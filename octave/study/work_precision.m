@@ -18,7 +18,7 @@ function table = work_precision (scene = "paper", varargin)
   budget = left ();
   [rung, choice, ladder] = charted (kind, scene, left);
   model = kind.build (scene, rung);
-  system = kind.system (scene, model);
+  system = started_system (kind, scene, model);
   reference = reference_run (kind, scene, model, min (budget/5, left ()/3));
   printf ("  reference: %s at %g m, within %.1g m of a hundred times that\n", reference.name, reference.tolerance, ...
           reference.off);

@@ -51,6 +51,10 @@ endfunction
 %!   check (field{1}, -Inf, sprintf ("is -Inf: it takes number in %s", field{2}));
 %! endfor
 
+%!test # where a run may start
+%! check ("initial.from", "nowhere", ["is \"nowhere\": it takes \"equilibrium\", or a folder in which a run has left" ...
+%!                                    " its end.csv, output/paper say"]);
+
 %!test # vectors
 %! for field = {"moment_breaks", "times in s"; "initial.V1", "amplitudes in m"; "initial.V2", "amplitudes in m"; ...
 %!              "initial.V1_dot", "rates in m/s"; "initial.V2_dot", "rates in m/s"}.'

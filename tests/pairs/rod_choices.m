@@ -44,6 +44,8 @@ function [base, choices] = rod_choices ()
     "joints", "a spring at O", {"joints", {spring("torsion_spring", 0)}}
     "joints", "a spring across", {"joints", {spring("spring", 0.5)}}
     "joints", "at the tip", {"joints", {spring("bushing", 1), struct("kind", "moment", "stations", 1, "value", 0.1)}}
+    "start", "as it says", {}
+    "start", "equilibrium", {"initial.from", "equilibrium"}
     "initial angle", "rest", {}
     "initial angle", "turned, turning", {"initial.phi", 0.5, "initial.phi_dot", 3}
     "initial stretch", "none", {}

@@ -17,6 +17,10 @@ function scene = as_bodies (given)
     body.(name{1}) = given.(name{1});
   endfor
   scene = rmfield (given, intersect ([own, short], fieldnames (given)));
+  if (isfield (body, "initial") && isstruct (body.initial) && isfield (body.initial, "from"))
+    scene.initial.from = body.initial.from;
+    body.initial = rmfield (body.initial, "from");
+  endif
   scene.bodies = {body};
   scene.joints = [{struct("name", "hinge", "kind", "revolute", "bodies", 1, "stations", 0)}, loads_of(given), ...
                   on_the_body(given.joints)];

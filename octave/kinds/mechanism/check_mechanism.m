@@ -7,7 +7,7 @@
 
 function scene = check_mechanism (given)
   [fields, of_body] = mechanism_fields ();
-  scene = take_fields (same_modes (as_bodies (without_probed (given))), fields, "a scene of bodies");
+  scene = take_fields (same_modes (as_bodies (spelled_start (without_probed (given)))), fields, "a scene of bodies");
   refuse_missing_solver (scene.solver.name, "radau");
   scene.bodies = take_list (scene.bodies, of_body, "bodies", "body", @check_body);
   scene.joints = check_joints (scene.joints, scene.bodies);

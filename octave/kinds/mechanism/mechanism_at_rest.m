@@ -9,7 +9,7 @@
 ## @item start
 ## coordinates (n-by-1) near which an equilibrium is looked for: where the bodies are placed
 ## @item residual (t, q, v, lambda)
-## forces less Phi_q' lambda, and the constraints (n + multipliers by k) at a time and k states
+## forces less Phi_q' lambda, and the constraints (n + multipliers by k) at a time, or at k times, and k states
 ## @item tangent (t, q, lambda)
 ## the stiffness: minus the derivative of the forces by q, and below it that of the constraints
 ## @item damping (t, q, lambda)
@@ -19,7 +19,7 @@
 ## @item size (step)
 ## the largest displacement (m) that goes with a small change of q, on rods of the length (m)
 ## @item shape (q)
-## centrelines: a cell array, a body each, of [x y] (places-by-2, m)
+## centrelines of k coordinates: a cell array, a body each, of [x y] (places-by-2-by-k, m)
 ## @item supports (t, q, lambda)
 ## what holds the bodies at rest: rows of a name, with its unit, and a number, as columns of history.csv have them
 ## @item most
@@ -50,7 +50,7 @@ function balance = mechanism_at_rest (scene, mechanism)
 endfunction
 
 function r = residual (system, t, q, v, lambda)
-  at = system.at (t*ones (1, columns (q)), q, v);
+  at = system.at (t.*ones (1, columns (q)), q, v);
   r = [at.force - system.reaction(at, repmat (lambda, 1, columns (q))); at.constraints.residual];
 endfunction
 
@@ -79,9 +79,9 @@ endfunction
 function lines = shape (mechanism, q)
   for k = 1:numel (mechanism.models)
     model = mechanism.models{k};
-    own = q(index_of (mechanism, k));
+    own = q(index_of (mechanism, k),:);
     [x, y] = body_centreline (model, linspace (0, model.length, 41), motion_of_rods (own, 0*own), 1);
-    lines{k} = [x, y];
+    lines{k} = permute (cat (3, x, y), [1 3 2]);
   endfor
 endfunction
 
@@ -93,4 +93,5 @@ endfunction
 %! assert (balance.residual (0.1, start.q, start.v, 0*lambda), [at.force; at.constraints.residual], 1e-12);
 %! assert (balance.residual (0.1, start.q, start.v, lambda)(1:balance.n), at.force - system.reaction (at, lambda), 1e-12);
 %! assert (numel (balance.bodies{2}), balance.n/3); assert (size (balance.shape (start.q){3}), [41 2]);
+%! assert (balance.shape ([0*start.q, start.q]){2}(:,:,2), balance.shape (start.q){2}, 1e-15);
 %! assert (balance.mass (start.q), full (system.matrices (at)), 1e-12);

@@ -14,7 +14,7 @@ function [scene, body] = mechanism_fields ()
   scene = [
     of("title"); of("gravity"); of("duration"); of("frames_per_second"); of("frame_size"); of("zoom")
     {"solver.name", "auto", solver_names({"constrained"})}
-    of("solver.step"); of("solver.rho_infinity"); of("solver.tolerance")
+    of("initial.from"); of("solver.step"); of("solver.rho_infinity"); of("solver.tolerance")
     {"solver.baumgarte", 100, "positive number in 1/s"
      "bodies", NaN, "struct array, or cell array of structs"
      "joints", {{}}, "struct array, or cell array of structs"

@@ -54,8 +54,10 @@ function rung = same_for_all (scene, bending, longitudinal)
   rung = struct ("bending", bending*each, "longitudinal", longitudinal*each);
 endfunction
 
+## of the bodies that do not state theirs, or where all do of all
 function model = model_of_size (scene, n)
-  for k = 1:numel (scene.bodies)
+  chosen = arrayfun (@(body) ischar (body.model.modes), scene.bodies);
+  for k = find (chosen(:).' | ! any (chosen))
     scene.bodies(k).model.modes = "auto";
   endfor
   rung = same_for_all (scene, n, n);

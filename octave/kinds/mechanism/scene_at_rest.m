@@ -12,7 +12,7 @@ function scene = scene_at_rest (given)
   if (! isfield (given, "joints"))
     scene.joints = {};
   endif
-  scene = as_bodies (scene);
+  scene = as_bodies (spelled_start (scene));
   if (isfield (scene, "bodies") && iscell (scene.bodies))
     scene.bodies = cellfun (@placed, scene.bodies, "uniformoutput", false);
   endif

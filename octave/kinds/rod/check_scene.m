@@ -10,7 +10,7 @@ function scene = check_scene (given)
   if (! (isstruct (given) && isscalar (given)))
     scene_error ("a scene is a function that returns a struct, not a %s", class (given));
   endif
-  scene = take_fields (without_probed (given), scene_fields (), "a scene");
+  scene = take_fields (spelled_start (without_probed (given)), scene_fields (), "a scene");
   refuse_missing_solver (scene.solver.name, "lsode_bdf");
   check_section (scene.rod);
   scene.joints = joints_of_rod (scene);

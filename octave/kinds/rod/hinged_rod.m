@@ -6,13 +6,13 @@
 ##
 ## Fields: initial_state, rate, motion (times, states) = a struct of q, q_dot (n-by-m), phi, phi_dot (1-by-m), torque
 ## (of a hub, else empty) and reaction_x, reaction_y (N, of the support at O on the rod), energies (phi, phi_dot, q,
-## q_dot) = [T; U; Z], mass and stiffness (of the coordinates, linear about the undeformed rod), stiffness_at (t, y)
-## (of the rod as it turns), damping_matrix (where there is damping), joined (see
-## @code{joined_rod}), longest_step (s), velocity_matrix (the second
-## part of y per rates of the coordinates, likewise), momenta and accelerations (other forms of the same, see
-## @code{momenta_of_rod} and @code{accelerations_of_rod}), turned (see @code{integrate_explicit}: the paper's sines are
-## integrated as they are), breaks (times in s at which a load jumps) and state_scale, what each state may be off by
-## where a centreline point is off by 1 m.
+## q_dot) = [T; U; Z], forces (t, q, v) = what mass times accelerations is, mass and stiffness (of the coordinates,
+## linear about the undeformed rod), stiffness_at (t, y) (of the rod as it turns), damping_matrix (where there is
+## damping), joined (see @code{joined_rod}), longest_step (s), velocity_matrix (the second part of y per rates of the
+## coordinates, likewise), momenta and accelerations (other forms of the same, see @code{momenta_of_rod} and
+## @code{accelerations_of_rod}), turned (see @code{integrate_explicit}: the paper's sines are integrated as they are),
+## breaks (times in s at which a load jumps) and state_scale, what each state may be off by where a centreline point is
+## off by 1 m.
 ## @end deftypefn
 
 function system = hinged_rod (scene, model)
@@ -33,6 +33,7 @@ function system = hinged_rod (scene, model)
   system.rate = @(t, y, interval) hinged_rod_rate (t, y, interval, n, constants);
   system.motion = @(times, states) motion (times, states, n, constants);
   system.energies = @(phi, phi_dot, q, q_dot) rod_energies_of (phi, phi_dot, q, q_dot, constants);
+  system.forces = @(t, q, v) forces (t, q, v, n, constants);
   system.momenta = momenta_of_rod (n, constants, system.mass, system.stiffness);
   system.accelerations = accelerations_of_rod (n, constants);
   system.turned = isempty (model.rung.sines);
@@ -65,6 +66,12 @@ function y = initial_state (initial, model, c)
   c.rod.follower_dd = c.rod.follower_ds = c.rod.follower_ss = 0;
   [~, p] = rod_energies_of (start(n+1,1), start(n+1,2), start(1:n,1), start(1:n,2), c);
   y = [start(:,1); start(1:n,2); p; 0; 0];
+endfunction
+
+## generalized, of the coordinates and phi
+function f = forces (t, q, v, n, c)
+  [~, ~, force_V, force_phi] = rod_forces (t, q(n+1,:), v(n+1,:), q(1:n,:), v(1:n,:), c);
+  f = [force_V; force_phi];
 endfunction
 
 function found = motion (times, states, n, c)

@@ -28,6 +28,7 @@ function system = hub_rod (scene, model)
   system.rate = @(t, y, interval) hub_rod_rate (t, y, interval, n, constants);
   system.motion = @(times, states) motion (times, states, n, constants);
   system.energies = @(phi, phi_dot, q, q_dot) rod_energies_of (phi, phi_dot, q, q_dot, constants);
+  system.forces = @(t, q, v) forces (t, q, v, constants);
   system.accelerations = struct ("rate", system.rate, "state", @(z) z, "form", @(y) y);
   system.turned = isempty (model.rung.sines);
   system.forms = rod_forms ();
@@ -41,6 +42,16 @@ function system = hub_rod (scene, model)
   system.breaks = scene.moment_breaks;
   system.energy_rows = numel (system.initial_state) + [-1, 0];
   system.state_scale = state_scale (model, scene, ones (n, 1));
+endfunction
+
+## generalized, of the coordinates alone: phi follows them, and the hub (see hub_accelerations)
+function f = forces (t, V, V_dot, c)
+  theta = at_times (c.rotation, t);
+  within = struct ("V", V, "V_dot", V_dot);
+  [phi, phi_dot, gradient, acceleration] = rod_in_hub (theta(1,:), theta(2,:), within, c.rod);
+  [m, mm, force_V, force_phi] = rod_forces (t, phi, phi_dot, V, V_dot, c);
+  r = theta(3,:) - acceleration;
+  f = force_V - m.*r + gradient.*(mm.*r - force_phi);
 endfunction
 
 function found = motion (times, states, n, c)

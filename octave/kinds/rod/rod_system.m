@@ -1,12 +1,16 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{system} =} rod_system (@var{scene}, @var{model})
 ## The system of first order that moves the scene's rod: @code{hub_rod} where its rotation is prescribed, else
-## @code{hinged_rod}.
+## @code{hinged_rod}; it starts as the scene has it, or in equilibrium.
 ## @end deftypefn
 
 function system = rod_system (scene, model)
   kinds = {@hinged_rod, @hub_rod};
   system = kinds{2 - isempty(scene.rotation)} (scene, model);
+  if (strcmp (scene.initial.from, "equilibrium"))
+    q = equilibrium (rod_at_rest (model, system), 0);
+    system.initial_state = system.accelerations.state ([q; 0*q; 0; 0]);
+  endif
   if (! isempty (system.joined))
     start = system.motion (0, system.initial_state);
     refuse_coincident (scene.joints, system.joined, marker_places (system.joined, [start.q; start.phi; 0; 0]));

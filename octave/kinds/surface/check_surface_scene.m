@@ -6,7 +6,7 @@
 
 function scene = check_surface_scene (given)
   fields = surface_scene_fields ();
-  given = without_probed (given);
+  given = spelled_start (without_probed (given));
   if (! (isstruct (given.surface) && isscalar (given.surface)))
     scene_error ("surface is a %s: it takes a struct with a name and its parameters", class (given.surface));
   endif

@@ -10,7 +10,7 @@ function balance = surface_at_rest (scene, system)
   balance.n = system.n;
   balance.multipliers = 0;
   balance.start = zeros (system.n, 1);
-  balance.residual = @(t, z, v, lambda) -system.residual (t*ones (1, columns (z)), z, v, 0*z);
+  balance.residual = @(t, z, v, lambda) -system.residual (t.*ones (1, columns (z)), z, v, 0*z);
   balance.tangent = @(t, z, lambda) system.tangent_stiffness (t, z, 0*z, 0*z);
   balance.damping = @(t, z, lambda) zeros (system.n);
   balance.mass = @(z) system.mass_matrix (z);
@@ -33,7 +33,7 @@ endfunction
 
 function places = shape (system, fields)
   [x, y, z] = system.surface.position (fields);
-  places = [x, y, z];
+  places = permute (cat (3, x, y, z), [1 3 2]);
 endfunction
 
 %!test # at rest on a level plane nothing is out of balance; the middle of three polynomials stretches it
@@ -45,3 +45,4 @@ endfunction
 %! assert (balance.residual (0, z, z, []), zeros (6, 1), 1e-12);
 %! assert (balance.residual (0, 1e-5*(1:6 == 2).', z, [])(2), -3*2*1e-5, 1e-8);
 %! assert (balance.shape (z){1}([1 end],:), [0 0 0; 2 0 0], 1e-12);
+%! assert (balance.shape ([z, 0.05*(1:6 == 2).']){1}([1 end],1,2), [-0.05; 2.05], 1e-12);

@@ -49,7 +49,12 @@ function system = surface_rod (scene)
   system.refuse_singular (start, "at the start");
   scale = lengths_per_coordinate (surface, fields_of_basis (inside, start, velocity, start));
   system.size = @(z) max (max (abs (inside.values{1}*z)*scale(1), abs (inside.values{2}*z)*scale(2))(:));
-  start = quasi_stationary (system, start, velocity, scene.solver.tolerance/20);
+  if (strcmp (scene.initial.from, "equilibrium"))
+    start = equilibrium (surface_at_rest (scene, system), 0);
+    velocity = 0*start;
+  else
+    start = quasi_stationary (system, start, velocity, scene.solver.tolerance/20);
+  endif
   system.mass = system.mass_matrix (start);
   system.stiffness = system.tangent_stiffness (0, start, velocity, start);
   per_coordinate = 1./max (max (abs (inside.values{1}))*scale(1), max (abs (inside.values{2}))*scale(2)).';

@@ -29,6 +29,7 @@ function fields = surface_scene_fields ()
     "tip_moment",          0,                  "number or function of t in N m"
     "force",               [0 0 0],            "three numbers or function of t in N"
     "moment_breaks",       [],                 "vector of times in s"
+    "initial.from",        "",               "text"
     "initial.point",       [0 0],              "vector of two coordinates of the chart"
     "initial.angle",       0,                  "number in rad"
     "initial.shape",       [],                 "function of xi that returns the chart's coordinates, 2-by-m"

@@ -17,7 +17,7 @@ function [q, lambda, linear] = equilibrium (balance, t, q = balance.start)
   for sweep = 1:300
     linear = held_tangent (balance, t, q, lambda);
     r = balance.residual (t, q, 0*q, lambda);
-    onto = -inverse_of (linear.jacobian)*r(n+1:end);
+    onto = -inverse_of (linear.jacobian)*r(n+1:end,1);
     force = linear.basis.'*(r(1:n) - linear.stiffness*onto);
     step = onto + linear.basis*fall (linear, force);
     metres = balance.size (step);
@@ -45,20 +45,18 @@ function share = share_of (balance, t, q, lambda, step, share)
   endfor
 endfunction
 
-## also where there are no constraints, of which pinv gets the sizes wrong
-function inverse = inverse_of (jacobian)
-  inverse = zeros (columns (jacobian), rows (jacobian));
-  if (! isempty (jacobian))
-    inverse = pinv (jacobian);
-  endif
-endfunction
-
-## what nothing holds is moved by what accelerates it by more than 1e-9 m/s^2
+## Newton's own step where all is held, also by a stiffness that is not symmetric; what nothing holds is moved by what
+## accelerates it by more than 1e-9 m/s^2
 function y = fall (linear, force)
   [modes, squares] = eig ((linear.K + linear.K.')/2, (linear.M + linear.M.')/2, "chol");
-  squares = abs (diag (squares));
+  squares = diag (squares);
+  least = max ([1e-13*abs(squares); 1e-12]);
+  if (squares > least)
+    y = linear.K \ force;
+    return;
+  endif
+  squares = abs (squares);
   pull = modes.'*force;
-  least = max ([1e-13*squares; 1e-12]);
   pull(squares < least & abs (pull) < 1e-9*sqrt (norm (linear.M))) = 0;
   y = modes*(pull./max (squares, least));
 endfunction

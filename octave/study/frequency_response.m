@@ -1,0 +1,86 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{found} =} frequency_response (@var{scene}, @var{option}, @var{value}, @dots{})
+## How a scene of any kind answers small harmonic loads about its equilibrium: amplitudes of outputs a unit of each
+## input, of its linear model (see @code{linear_model}, also for the arguments), and of what is prescribed a unit of
+## its place or angle. The option "frequencies" has those in Hz (rising), by default 400 from a fifth of the slowest
+## vibration to five times the fourth; "outputs" are the tips by default.
+##
+## Leaves response.csv, response.svg and response.png.  @var{found} is a struct of f (1-by-m, Hz), response (complex,
+## outputs-by-inputs-by-m), inputs and outputs.
+## @end deftypefn
+
+function found = frequency_response (scene = "paper", varargin)
+  [f, options] = taken_option (varargin, "frequencies", [], @are_rising, "rising frequencies in Hz");
+  [~, ~, output] = study_scene (scene, without_outputs (options), @scene_at_rest);
+  model = linear_model (scene, options{:});
+  if (isempty (model.inputs))
+    scene_error (["the scene has neither loads nor prescribed motions: a joint of the kind \"force\" with the" ...
+                  " value [0 0], say, is an input"]);
+  endif
+  if (isempty (f))
+    f = spread_frequencies (eig (model.A));
+  endif
+  result = struct ("f", f, "response", responses (model, 2i*pi*f), "inputs", {model.inputs}, "outputs", ...
+                   {model.outputs});
+  if (! any (strcmp (options(1:2:end), "outputs")))
+    kept = ! cellfun (@isempty, regexp (result.outputs, '^tip_[xyz]'));
+    result.outputs = result.outputs(kept);
+    result.response = result.response(kept,:,:);
+  endif
+  publish_study (output, {"response.csv"}, {"response.svg", "response.png"}, ...
+                 @(aside) write_response (result, aside), ...
+                 @(scratch) draw_response (result, scratch));
+  if (nargout > 0)
+    found = result;
+  endif
+endfunction
+
+function good = are_rising (f)
+  good = isreal (f) && isvector (f) && all (isfinite (f)) && all (diff (f) > 0) && f(1) >= 0;
+endfunction
+
+function options = without_outputs (options)
+  at = find (strcmp (options(1:2:end), "outputs") | strcmp (options(1:2:end), "time"));
+  options([2*at - 1, 2*at]) = [];
+endfunction
+
+function f = spread_frequencies (values)
+  own = sort (abs (values(imag (values) > 1e-9*max (abs (values)))))/(2*pi);
+  if (isempty (own))
+    own = 1;
+  endif
+  f = logspace (log10 (own(1)/5), log10 (5*own(min (4, end))), 400);
+endfunction
+
+## of what is prescribed the input is the acceleration, s^2 times its place; states are the vibrations' rates and these
+## times their frequencies, so that stiff ones weigh no more than soft ones
+function H = responses (model, s)
+  n = rows (model.A);
+  p = rows (model.M);
+  [shape, squares] = eig ((model.K + model.K.')/2, (model.M + model.M.')/2, "chol");
+  omega = sqrt (abs (diag (squares)).');
+  T = blkdiag (shape./max (omega, 1e-6*max (omega)), shape, eye (n - 2*p));
+  [A, B, C] = deal (T \ model.A*T, T \ model.B, model.C_out*T);
+  H = zeros (rows (C), columns (B), numel (s));
+  for k = 1:numel (s)
+    H(:,:,k) = (C*((s(k)*eye (n) - A) \ B) + model.D).*(1 + (s(k)^2 - 1)*model.driven);
+  endfor
+endfunction
+
+%!test # a rigid pendulum: phi = F l/(K - s^2 J), and the peak of a damped one
+%! scene.rod = struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 3, "rhoI", 0);
+%! scene.model = struct ("modes", [0 0], "rotary_inertia", false);
+%! scene.initial.phi = -pi/2;
+%! scene.joints = {struct("name", "pull", "kind", "force", "stations", 1, "value", [0 0])};
+%! scene.duration = 1;
+%! folder = tempname (); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   evalc ("found = frequency_response (scene, 'frequencies', [0 0.1 1], 'output', folder);");
+%!   assert (found.inputs, {"moment [N m]", "pull_x [N]", "pull_y [N]"}(end-1:end));
+%!   assert (squeeze (found.response(1,1,:)).', 1./(3*9.81/2 - (2*pi*[0 0.1 1]).^2), 1e-8);
+%!   assert (stat (fullfile (folder, "response.png")).size > 10000);
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect
+%!error <frequencies is -1: it takes rising frequencies in Hz> frequency_response ("swing", "frequencies", -1)
+%!error <neither loads nor prescribed motions> frequency_response (setfield (chain (1), "duration", 1))
