@@ -1,15 +1,16 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{job} =} draw_response (@var{found}, @var{scratch})
+## @deftypefn {} {@var{job} =} draw_response (@var{found}, @var{title}, @var{scratch})
 ## What @code{frequency_response} has @var{found} as response.svg and response.png beside the folder @var{scratch},
 ## which takes the data: amplitudes against the frequency, the six largest curves by name.  They are there when
 ## @var{job} has ended (see @code{finish_tool}).
 ## @end deftypefn
 
-function job = draw_response (found, scratch)
+function job = draw_response (found, title, scratch)
   [names, amplitude] = response_curves (found);
   [~, order] = sort (max (amplitude, [], 2), "descend");
   order = order(max (amplitude(order,:), [], 2) > 0)(1:min (end, 6));
-  text = gnuplot_settings (struct ("names", {names(order)}, "curves", numel (order)));
+  text = gnuplot_settings (struct ("title", title, "names", {names(order)}, "curves", numel (order), ...
+                                   "f", found.f([1 end])));
   for k = 1:numel (order)
     drawn = amplitude(order(k),:);
     drawn(drawn == 0) = NaN;
@@ -24,7 +25,7 @@ endfunction
 %!                 "outputs", {{"x [m]", "y [m]"}});
 %! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
 %! unwind_protect
-%!   draw = {@(scratch) draw_response(found, scratch)};
+%!   draw = {@(scratch) draw_response(found, "Pulled", scratch)};
 %!   assert (draw_files (folder, draw, {"response.svg", "response.png"}), cell (0, 2));
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");

@@ -11,7 +11,7 @@
 
 function found = frequency_response (scene = "paper", varargin)
   [f, options] = taken_option (varargin, "frequencies", [], @are_rising, "rising frequencies in Hz");
-  [~, ~, output] = study_scene (scene, without_outputs (options), @scene_at_rest);
+  [checked, ~, output] = study_scene (scene, without_outputs (options), @scene_at_rest);
   model = linear_model (scene, options{:});
   if (isempty (model.inputs))
     scene_error (["the scene has neither loads nor prescribed motions: a joint of the kind \"force\" with the" ...
@@ -29,7 +29,7 @@ function found = frequency_response (scene = "paper", varargin)
   endif
   publish_study (output, {"response.csv"}, {"response.svg", "response.png"}, ...
                  @(aside) write_response (result, aside), ...
-                 @(scratch) draw_response (result, scratch));
+                 @(scratch) draw_response (result, checked.title, scratch));
   if (nargout > 0)
     found = result;
   endif

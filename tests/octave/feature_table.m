@@ -134,6 +134,8 @@ function text = rows_of_runs (scenes)
                 any(ismember (system.forms, {"rate", "constrained"}))
                 rests(scenes{k})
                 rests(scenes{k})
+                rests(scenes{k})
+                seeks_equilibrium(scenes{k})
                 isfield(kind.drawing (scene, run), "spectrum")
                 iscellstr(kind.warnings (scene, run))
                 ! isempty(kind.dropped (scene, run, run))
@@ -141,13 +143,14 @@ function text = rows_of_runs (scenes)
                 all(ismember ({"psi", "tip_psi"}, columns_of))
                 all(ismember ({"reaction_x", "reaction_y"}, columns_of))];
   endfor
-  names = {"`make chart`", "`make models`", "`make stability`", "`make statics`", "`make modes`", "spectra of the tip", ...
+  names = {"`make chart`", "`make models`", "`make stability`", "`make statics`", "`make modes`", ...
+           "`make response`", "a start in equilibrium", "spectra of the tip", ...
            "warnings where the model does not hold", "what all its models drop, in the estimated error", ...
            "place of mid-span over time", "angles of the tangent at both ends over time", ...
            "reactions of the supports over time"};
   cells = repmat ({"not yet"}, size (has));
   cells(has) = {"yes"};
-  cells{8,4} = "it drops nothing";
+  cells{10,4} = "it drops nothing";
   text = "";
   for j = 1:numel (names)
     text = [text, table_row(names{j}, cells(j,:))];
@@ -160,6 +163,12 @@ function yes = rests (given)
   scene = kind.check (scene_at_rest (given));
   balance = kind.at_rest (scene, kind.sized (scene, 4));
   yes = isfinite (balance.residual (0, balance.start, 0*balance.start, zeros (balance.multipliers, 1))(1));
+endfunction
+
+## which some of the scenes have not
+function yes = seeks_equilibrium (given)
+  refusal = refusal_of (setfield (given, "initial", "equilibrium"));
+  yes = isempty (refusal) || strncmp (refusal, "no equilibrium was found", 24);
 endfunction
 
 function text = table_row (name, cells)
