@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{arguments} =} environment_options ()
 ## The arguments of @code{driver} from the environment, as `make simulate' passes them: SCENE, MODES, SOLVER,
-## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES (yes or no), DENSE, BUDGET, TIME, and SPEEDS, FACTOR and FREQUENCIES
+## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES (yes or no), DENSE, BUDGET, TIME, FILM, and SPEEDS, FACTOR and FREQUENCIES
 ## (0:0.5:12), those that are set and not empty.
 ## @end deftypefn
 
@@ -11,7 +11,7 @@ function arguments = environment_options ()
     scene = "paper";
   endif
   arguments = {scene};
-  for name = {"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "DENSE", "BUDGET", "TIME", "SPEEDS", ...
+  for name = {"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "DENSE", "BUDGET", "TIME", "FILM", "SPEEDS", ...
               "FACTOR", "FREQUENCIES"}
     value = getenv (name{1});
     if (! any (strcmp (name{1}, {"SOLVER", "OUTPUT"})))

@@ -2,7 +2,8 @@
 ## @deftypefn {} {@var{table} =} natural_modes (@var{scene}, @var{option}, @var{value}, @dots{})
 ## Natural frequencies and modes of a scene of any kind about the equilibrium that it comes to under its loads at t = 0
 ## (see @code{at_rest}), the slowest twelve: what a hub or a joint prescribes stays as it is then.  Arguments as for
-## @code{driver}; without stated modes there are as many base functions as six digits take.
+## @code{driver}; without stated modes there are as many base functions as six digits take.  The option "film" (numbers
+## of modes) leaves films of those, too (see @code{film_mode}).
 ##
 ## Leaves modes.csv, modes.svg and modes.png (the slowest six, both ways) in the folder of the scene's output.
 ## @var{table} is a struct array of mode, f (Hz), omega (rad/s), damping (ratio), growth (1/s, of what is
@@ -11,16 +12,24 @@
 ## @end deftypefn
 
 function table = natural_modes (scene = "paper", varargin)
-  [scene, kind, output] = study_scene (scene, varargin, @scene_at_rest);
+  [films, options] = taken_option (varargin, "film", [], @are_numbers, "numbers of modes, from 1 to 12");
+  [scene, kind, output] = study_scene (scene, options, @scene_at_rest);
   found = at_rest (kind, scene, 0, @(found) found.vibrations.omega(1:min (end, 12)));
   rows = mode_rows (found);
   print_rows (rows, found);
   publish_study (output, {"modes.csv"}, {"modes.svg", "modes.png"}, ...
                  @(aside) write_modes (rows, found.balance.names, aside), ...
                  @(scratch) draw_shapes ("modes", mode_panels (rows, found), scene, scratch));
+  for k = films(films <= numel (rows))
+    film_mode (output, scene, found, k, title_of (rows(k)));
+  endfor
   if (nargout > 0)
     table = rows;
   endif
+endfunction
+
+function good = are_numbers (k)
+  good = isreal (k) && isrow (k) && all (k == fix (k) & k >= 1 & k <= 12);
 endfunction
 
 function rows = mode_rows (found)
