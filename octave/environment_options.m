@@ -1,20 +1,23 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{arguments} =} environment_options ()
+## @deftypefn {} {@var{arguments} =} environment_options (@var{more})
 ## The arguments of @code{driver} from the environment, as `make simulate' passes them: SCENE, MODES, SOLVER,
-## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES (yes or no), DENSE, BUDGET, TIME, FILM, and SPEEDS, FACTOR and FREQUENCIES
-## (0:0.5:12), those that are set and not empty.
+## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES (yes or no), DENSE, BUDGET, TIME, FILM, and SPEEDS, FACTOR and
+## FREQUENCIES (0:0.5:12), those that are set and not empty.  @var{more} (n-by-3 cell array, as of @code{take_fields})
+## has the names of others, and their kinds.
 ## @end deftypefn
 
-function arguments = environment_options ()
+function arguments = environment_options (more = cell (0, 3))
   scene = getenv ("SCENE");
   if (isempty (scene))
     scene = "paper";
   endif
   arguments = {scene};
-  for name = {"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "DENSE", "BUDGET", "TIME", "FILM", "SPEEDS", ...
-              "FACTOR", "FREQUENCIES"}
+  texts = [{"SOLVER", "OUTPUT"}, toupper(more(strcmp (more(:,3), "text"),1)).'];
+  names = [{"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "DENSE", "BUDGET", "TIME", "FILM", ...
+            "SPEEDS", "FACTOR", "FREQUENCIES"}, toupper(more(:,1)).'];
+  for name = names
     value = getenv (name{1});
-    if (! any (strcmp (name{1}, {"SOLVER", "OUTPUT"})))
+    if (! any (strcmp (name{1}, texts)))
       value = number_or_text (value);
     endif
     if (! isempty (value))
@@ -50,8 +53,12 @@ endfunction
 %!                                    "output", "a folder", "pictures", false});
 %!   setenv ("OUTPUT", "2024");
 %!   assert (environment_options (){end-2}, "2024");  # a folder
+%!   setenv ("AT", "1"); setenv ("KEEP", "yes");
+%!   more = {"at", "", "text"; "keep", false, "true or false"};
+%!   assert (environment_options (more)(end-3:end), {"at", "1", "keep", true});
+%!   assert (any (strcmp (environment_options (), "keep")), false);
 %!   setenv ("SPEEDS", "0:0.1:0.3");
 %!   assert (environment_options (){end}, 0:0.1:0.3, 1e-15);
 %! unwind_protect_cleanup
-%!   cellfun (@(name) setenv (name, ""), {"MODES", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "SPEEDS"});
+%!   cellfun (@(name) setenv (name, ""), {"MODES", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "SPEEDS", "AT", "KEEP"});
 %! end_unwind_protect

@@ -1,16 +1,16 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{command} =} repeat_command (@var{scene}, @var{options})
+## @deftypefn {} {@var{command} =} repeat_command (@var{scene}, @var{options}, @var{make})
 ## What to type to run a @var{scene} again with the @var{options} (cell array) of @code{driver}: for the shell, or for
-## Octave where the scene is a struct.
+## Octave where the scene is a struct; @var{make} is the shell's command before the scene.
 ## @end deftypefn
 
-function command = repeat_command (scene, options)
+function command = repeat_command (scene, options, make = "make simulate")
   if (isstruct (scene))
     words = cellfun (@(value) literal (value), options, "UniformOutput", false);
     command = ["driver (" strjoin([{"scene"}, words], ", ") ")"];
     return;
   endif
-  command = ["make simulate SCENE=" word(scene)];
+  command = [make " SCENE=" word(scene)];
   for pair = reshape (options(1:2*fix (end/2)), 2, [])
     command = [command, " ", toupper(pair{1}), "=", word(pair{2})];
   endfor
@@ -45,6 +45,7 @@ endfunction
 %!assert (repeat_command ("paper", {}), "make simulate SCENE=paper")
 %!assert (repeat_command ("my rod.m", {"modes", [7 7], "tolerance", 1e-6}), ...
 %!        "make simulate SCENE='my rod.m' MODES='7 7' TOLERANCE=1e-06")
+%!assert (repeat_command ("paper", {"at", "zoom=1"}, "make point"), "make point SCENE=paper AT='zoom=1'")
 %!assert (repeat_command ("paper", {"pictures", false}), "make simulate SCENE=paper PICTURES=no")
 %!assert (repeat_command (struct (), {"solver", "rk4", "modes", [1 2]}), ...
 %!        "driver (scene, \"solver\", \"rk4\", \"modes\", [1 2])")

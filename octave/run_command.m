@@ -1,7 +1,10 @@
-## What `make simulate', `make models' and so on run: the function `command' with the arguments of the environment; an
-## error is one line and status 1.
+## What `make simulate', `make models' and so on run: the function `command' with the arguments of the environment, and
+## with those `settings' that it has of its own; an error is one line and status 1.
+if (! exist ("settings", "var"))
+  settings = cell (0, 3);
+endif
 try
-  command (environment_options (){:});
+  command (environment_options (settings){:});
 catch err
   show_progress ("");
   fprintf (stderr, "%s: %s\n", func2str (command), strtrim (err.message));

@@ -1,51 +1,26 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{scene}, @var{name}] =} load_scene (@var{which})
+## @deftypefn {} {[@var{scene}, @var{name}] =} load_scene (@var{which}, @var{arguments})
 ## The scene of a function in octave/scenes/, by its name, or of a function file of one's own, by its path, which may
-## hold anything.  A struct is taken as it is; "chain(20)" calls the function with the number.
+## hold anything.  A struct is taken as it is; "chain(20)" calls the function with the number.  Those of the
+## @var{arguments} (cell array) that are not empty come in the place of such numbers.
 ## @end deftypefn
 
-function [scene, name] = load_scene (which)
-  shipped = fullfile (fileparts (fileparts (mfilename ("fullpath"))), "scenes");
+function [scene, name] = load_scene (which, arguments = {})
   if (isstruct (which))
     [scene, name] = deal (which, "scene");
     return;
-  elseif (! (ischar (which) && rows (which) == 1))
-    scene_error ("a scene is a name, a path or a struct, not a %s", class (which));
   endif
-  [file, numbers] = find_scene (which, shipped);
-  if (isempty (file))
-    names = regexp (readdir (shipped), '^\w+(?=\.m$)', "match", "once");
-    names = names(! cellfun (@isempty, names)).';
-    scene_error ("no scene \"%s\": it is one of %s, or the path of a function file", which, strjoin (names, ", "));
-  endif
+  [file, numbers] = find_scene (which);
   [~, name] = fileparts (file);
-  scene = evaluate (file, numbers);
+  scene = evaluate (file, with_arguments (numbers, arguments, which));
 endfunction
 
-## A path may hold parentheses: only what is no file is a name with numbers.
-function [file, numbers] = find_scene (text, shipped)
-  numbers = {};
-  file = file_of (text, shipped);
-  call = regexp (text, '^(.*?)\s*\(([^()]*)\)$', "tokens", "once");
-  if (isempty (file) && ! isempty (call))
-    file = file_of (call{1}, shipped);
-    given = strsplit (call{2}, ",")(1:end*! isempty (strtrim (call{2})));
-    numbers = cellfun (@str2double, given, "uniformoutput", false);
-    if (any (cellfun (@isnan, numbers)) && ! isempty (file))
-      scene_error ("%s: what is within the parentheses is \"%s\", it takes numbers", text, call{2});
-    endif
-  endif
-endfunction
-
-## The absolute path of a scene's file, "" if there is none. A name alone is one of the shipped.
-function file = file_of (text, shipped)
-  [folder, name, extension] = fileparts (text);
-  if (isempty (folder) && isempty (extension))
-    folder = shipped;
-  endif
-  file = make_absolute_filename (fullfile (user_path (folder), [name ".m"]));
-  if (exist (file, "file") != 2 || ! any (strcmp (extension, {"", ".m"})))
-    file = "";
+function numbers = with_arguments (numbers, arguments, which)
+  stated = find (! cellfun (@isempty, arguments));
+  numbers(stated) = arguments(stated);
+  left_out = find (cellfun (@isempty, numbers), 1);
+  if (! isempty (left_out))
+    scene_error ("%s: argument %d is missing, where argument %d is stated", which, left_out, numel (numbers));
   endif
 endfunction
 
@@ -92,9 +67,10 @@ endfunction
 %!assert (load_scene ("paper").duration, 1.8)
 %!assert (numel (load_scene ("chain(3)").bodies), 3)
 %!assert (numel (load_scene ("chain ( )").bodies), 5)
-%!error <no scene "nowhere": it is one of arc_pendulum, .*paper,.*two_link_arm> load_scene ("nowhere")
-%!error <chain\(twenty\): what is within the parentheses is "twenty", it takes numbers> load_scene ("chain(twenty)")
-%!error <a scene is a name, a path or a struct, not a double> load_scene (3)
+%!assert (numel (load_scene ("chain", {4}).bodies), 4)
+%!assert (numel (load_scene ("chain(3)", {[]}).bodies), 3)
+%!assert (numel (load_scene ("chain(3)", {4}).bodies), 4)
+%!error <chain: argument 1 is missing, where argument 2 is stated> load_scene ("chain", {[], 4})
 %!function check_path (folder, name, typed, calls = "")
 %!  ## the scene in the file FOLDER/NAME.m, read by what a user types in the folder's parent
 %!  before = pwd (); root = tempname (); mkdir (root); confirm_recursive_rmdir (false, "local");
@@ -107,6 +83,9 @@ endfunction
 %!    [scene, got] = load_scene ([typed calls]);
 %!    assert (scene.duration, 4 + 3 * ! isempty (calls)); assert (got, name);
 %!    assert (scene.moment (3), 3);
+%!    [file, ~, again] = find_scene ([typed calls]);
+%!    assert (fileread (file), fileread (fullfile (root, folder, [name ".m"])));
+%!    cd (tempdir ()); assert (load_scene (again).duration, scene.duration);
 %!  unwind_protect_cleanup
 %!    cd (before); rmdir (root, "s");
 %!  end_unwind_protect
