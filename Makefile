@@ -10,16 +10,17 @@ VERSION = 1.0
 override SCENE := $(value SCENE)
 override OUTPUT := $(value OUTPUT)
 override SURFACE := $(value SURFACE)
+override OVER := $(value OVER)
 override GENERATED := $(value GENERATED)
-export SCENE MODES SOLVER TOLERANCE SIZE OUTPUT PICTURES OCTAVE SURFACE GENERATED FUNCTION ARGUMENT
+export SCENE MODES SOLVER TOLERANCE SIZE OUTPUT PICTURES OCTAVE SURFACE GENERATED FUNCTION ARGUMENT OVER
 unexport POSIXLY_CORRECT CDPATH
 run_octave = $(OCTAVE) --norc --no-gui --no-history --quiet
 derive_everything = maxima/derive "$$GENERATED" "$(MODES_LITERAL)"
 derive_surface = maxima/derive_surface "$${OUTPUT:-output/surfaces}" "$$SURFACE"
 draw_or_follow = $(if $(FUNCTION),argument_way (getenv ("FUNCTION"), getenv ("ARGUMENT")),draw_map ())
 
-.PHONY: help setup derive equations simulate models chart stability statics modes campbell response choices conditioning check map systems \
-	pairs mutants fuzz clean dist
+.PHONY: help setup derive equations simulate models chart stability statics modes campbell response sweep point choices \
+	conditioning check map systems pairs mutants fuzz clean dist
 
 help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
@@ -40,6 +41,8 @@ help:
 	@echo 'make campbell    frequencies of one rod against its rotation, SCENE=spin_up say [SPEEDS=0:0.5:12]: table and diagram'
 	@echo 'make response    how the tips of SCENE=two_link_arm answer harmonic loads about its equilibrium' \
 		'[FREQUENCIES=0:0.1:50]: table and figure'
+	@echo 'make sweep       a scene at many points: table and chart' \
+		'[SCENE=swing VARY="rod.length=0.2:0.1:1" OBSERVE="max|tip_y|" ENGINE=parallel JOBS=2 KEEP=yes DRY=yes]'
 	@echo 'make choices     all scenes that choose and 60 random ones: chosen models against far richer ones'
 	@echo 'make conditioning    condition number of the mass matrix of arcs against the number of base functions: table'
 	@echo 'make map         the folders of octave/ and the calls between them: output/map.svg, .png' \
@@ -84,6 +87,14 @@ campbell:
 
 response:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @frequency_response; run_command'
+
+sweep:
+	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @sweep; settings = sweep_settings (); run_command'
+
+# one point of a sweep, with a processor for itself
+point:
+	@QUIET=1 OMP_NUM_THREADS=1 $(run_octave) --eval 'source octave/toolchain_path.m; command = @sweep_point; \
+		settings = sweep_settings (); run_command'
 
 choices:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; verify_choices (shipped_and_random (20, 40));'

@@ -1,0 +1,90 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{found} =} follow_sweep (@var{plan}, @var{found}, @var{to_do}, @var{engine}, @var{publish})
+## Let an @var{engine} (see @code{engine_command}) run those points @var{to_do} of a @var{plan}, and @var{publish}
+## (found, running) what there is at any time (see @code{gather_rows}); on a terminal a line has how many points are
+## done and failed, and the seconds left.  A point that leaves nothing has failed, too.
+## @end deftypefn
+
+function found = follow_sweep (plan, found, to_do, engine, publish)
+  folder = fullfile (plan.folder, "engine");
+  confirm_recursive_rmdir (false, "local");
+  [~, ~] = rmdir (folder, "s");  # of a sweep that was killed
+  mkdir (folder);
+  command = engine_command (engine, plan.settings.jobs, folder, plan.keys(to_do), plan.commands(to_do));
+  job = start_tool (folder, engine, command);
+  ended = false;
+  unwind_protect
+    found = watch (plan, found, job.pid, publish);
+    ended = true;
+    for k = find (! found.done & cellfun (@isempty, found.message))
+      found.message{k} = ["its process ended and did not say why: " last_words(job.log)];
+    endfor
+  unwind_protect_cleanup
+    if (! ended)
+      kill (job.pid, SIG ().TERM);
+    endif
+    show_progress ("");
+    [~, ~] = unlink (job.log);
+    [~, ~] = rmdir (folder, "s");
+  end_unwind_protect
+endfunction
+
+function found = watch (plan, found, pid, publish)
+  start = tic ();
+  begun = counted (found);
+  do
+    look = tic ();
+    [ended, ~] = waitpid (pid, WNOHANG ());
+    before = counted (found);
+    found = gather_rows (plan, found);
+    if (counted (found) != before)
+      publish (found, true);
+    endif
+    show_progress (sweep_progress (found, counted (found) - begun, toc (start)));
+    pause ((ended == 0)*max (0.2, 20*toc (look)));  # a twentieth of the time, at most
+  until (ended != 0)
+endfunction
+
+function n = counted (found)
+  n = sum (found.done) + sum (! cellfun (@isempty, found.message));
+endfunction
+
+function text = sweep_progress (found, news, seconds)
+  failed = sum (! cellfun (@isempty, found.message));
+  text = sprintf ("%d of %d points done, %d failed", sum (found.done), numel (found.done), failed);
+  if (news > 0)
+    left = numel (found.done) - sum (found.done) - failed;
+    text = [text, sprintf(", %.0f s left ", left*seconds/news)];
+  endif
+endfunction
+
+function text = last_words (log)
+  text = strtrim (fileread (log));
+  text = text(max ([1, rindex(text, "\n") + 1]):end);
+  if (isempty (text))
+    text = "it was killed, say";
+  endif
+endfunction
+
+%!function note_down (file, found)
+%!  id = fopen (file, "a");
+%!  fprintf (id, "%d\n", sum (found.done) + sum (! cellfun (@isempty, found.message)));
+%!  fclose (id);
+%!endfunction
+%!function check (folder)
+%!  points = fullfile (folder, "points"); mkdir (points);
+%!  plan = struct ("folder", folder, "keys", {{"a", "b", "c", "d"}}, "settings", struct ("jobs", 1));
+%!  plan.commands = {"false", "echo 1 >points/b.row; sleep 0.6", "echo no >points/c.failed; false", ...
+%!                   "echo 'the last word' >&2; kill -9 $$"};
+%!  plan.commands = strrep (plan.commands, "points/", [points "/"]);
+%!  found = struct ("observed", {{"5"; ""; ""; ""}}, "done", [true false false false], "message", {{"", "", "", ""}});
+%!  note = fullfile (folder, "noted");
+%!  found = follow_sweep (plan, found, [2 3 4], "make", @(found, running) note_down (note, found));
+%!  assert (found.done, [true true false false]); assert (found.observed, {"5"; "1"; ""; ""});
+%!  assert (found.message(1:3), {"", "", "no"});
+%!  assert (! isempty (regexp (found.message{4}, "^its process ended and did not say why: .")));
+%!  assert (fileread (note)(1:2), "2\n");  # while the second sleeps
+%!  delete (note);
+%!  assert (sort ({dir(folder).name}), {".", "..", "points", "scratch"});
+%!endfunction
+%!test in_scratch (@(folder, scratch) check (folder));

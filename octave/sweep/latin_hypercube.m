@@ -1,0 +1,27 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{x} =} latin_hypercube (@var{ranges}, @var{count}, @var{seed})
+## So many random points, a row each, in the @var{ranges} (a struct array of low and high), of which each of as many
+## equal parts has one (McKay, Beckman and Conover 1979); the same for the same @var{seed}.
+## @end deftypefn
+
+function x = latin_hypercube (ranges, count, seed)
+  before = rand ("twister");
+  unwind_protect
+    rand ("twister", seed);
+    x = zeros (count, numel (ranges));
+    for k = 1:numel (ranges)
+      [~, part] = sort (rand (count, 1));
+      share = (part - rand (count, 1))/count;
+      x(:,k) = rounded_digits (ranges(k).low + (ranges(k).high - ranges(k).low)*share);
+    endfor
+  unwind_protect_cleanup
+    rand ("twister", before);
+  end_unwind_protect
+endfunction
+
+%!test # numbers that others draw afterwards are none of a sweep's
+%! rand ("twister", 5); expected = rand (1, 2);
+%! rand ("twister", 5); first = rand ();
+%! x = latin_hypercube (struct ("low", {0, -1}, "high", {1, 1}), 4, 1);
+%! assert ([first, rand()], expected);
+%! assert (sort (floor (4*x(:,1))), (0:3).'); assert (sort (floor (2*x(:,2))), (-2:1).');

@@ -1,0 +1,42 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{units}, @var{count}] =} observable_units (@var{scene}, @var{items})
+## The units of what the @var{items} of OBSERVE (see @code{read_observe}) ask of a checked @var{scene}, " [m]" or "" (a
+## cellstr): those of the columns that two frames of it have, of which there are so many (@var{count}) with a
+## small model.  A column that its runs do not have, whatever their model's size, is an error.
+## @end deftypefn
+
+function [units, count] = observable_units (scene, items)
+  units = repmat ({""}, 1, numel (items));
+  names = column_names (scene);
+  count = numel (names);
+  [bare, unit] = strtok (names, " ");
+  for k = find (! strcmp ({items.part}, "summary"))
+    row = find (strcmp (any_number (items(k).name), any_number (bare)), 1);
+    if (isempty (row))
+      scene_error ("OBSERVE: history.csv has no column %s: those are %s", items(k).name, strjoin (bare, ", "));
+    endif
+    units{k} = unit{row};
+  endfor
+endfunction
+
+function names = column_names (scene)
+  kind = kind_of (scene);
+  scene.duration = min (scene.duration, 1/scene.frames_per_second);
+  [scene.solver.name, scene.solver.step] = deal ("auto", []);  # what the scene's own makes of it is another matter
+  model = kind.sized (scene, 4);
+  run = run_model (kind, scene, model);
+  names = kind.columns (scene, run);
+endfunction
+
+## V2_1 and V2_7 are columns of the same sort
+function names = any_number (names)
+  names = regexprep (names, '\d+', "1");
+endfunction
+
+%!test
+%! units = @(scene, text) observable_units (kind_of (scene).check (scene), read_observe (text));
+%! assert (units (swing (), "max|tip_y|, model, last V2_30, last phi_dot"), {" [m]", "", " [m]", " [rad/s]"});
+%! assert (units (chain (2), "last tip_x_2, last lambda_1_1"), {" [m]", " [N]"});
+%! assert (units (bowl (), "last tip_z, last T"), {" [m]", " [J]"});
+%! assert (units (swing (), "model"), {""});
+%! fail ("units (swing (), 'max tip_z')", "OBSERVE: history.csv has no column tip_z: those are t, phi, .*");

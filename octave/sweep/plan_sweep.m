@@ -1,0 +1,78 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{plan} =} plan_sweep (@var{which}, @var{options})
+## What a sweep of the scene @var{which} with these @var{options} (a cell array, see @code{sweep}) is to do, before
+## anything is run or written.
+##
+## @var{plan} is a struct of name and typed, the scene's; settings (see @code{sweep_settings}); folder, where its files
+## go; pictures, whether the whole is drawn; columns and values (see @code{sweep_table}); items (see
+## @code{read_observe}); about, what all points have in common, a text by name; keys (cellstr, see @code{point_keys});
+## commands (cellstr), what runs a point; and done, whether its row is there.
+## @end deftypefn
+
+function plan = plan_sweep (which, options)
+  if (isstruct (which))
+    scene_error ("a sweep takes a scene by its name or its file, not a struct: its points are processes of their own");
+  endif
+  [settings, options] = take_settings (options);
+  plan.settings = settings;
+  [file, ~, plan.typed] = find_scene (which);
+  [~, plan.name] = fileparts (file);
+  [~, output] = take_options (struct (), fullfile ("output", plan.name, "sweep"), options);
+  plan.folder = output.folder;
+  plan.pictures = output.pictures;
+  plan.items = read_observe (settings.observe);
+  [plan.columns, plan.values] = sweep_table (settings);
+  names = options(1:2:end);
+  is_output = ismember (names, {"output", "pictures"});
+  plan.options = options(reshape ([! is_output; ! is_output], 1, []));
+  plan.drawn = output.pictures && any (strcmp (names, "pictures"));
+  plan.about = struct ("program", program_key (), "scene", hash ("sha256", fileread (file))(1:16), ...
+                       "options", repeat_command (plan.typed, plan.options), ...
+                       "observe", strjoin ({plan.items.text}, ", "));
+  plan.keys = point_keys (strjoin (struct2cell (plan.about), "\n"), plan.columns, plan.values);
+  plan.commands = cellfun (@(key, k) command_of (plan, key, plan.values(k,:)), ...
+                           plan.keys, num2cell (1:numel (plan.keys)), "uniformoutput", false);
+  plan.done = are_done (plan);
+endfunction
+
+function command = command_of (plan, key, values)
+  root = fileparts (fileparts (which ("driver")));
+  given = {"at", point_words(plan.columns, values), "observe", plan.about.observe, "keep", plan.settings.keep, ...
+           "pictures", plan.drawn, "output", fullfile(make_absolute_filename (plan.folder), "points"), "point", key};
+  command = repeat_command (plan.typed, [plan.options, given], ["make -s -C " shell_string(root) " point"]);
+endfunction
+
+## A row is there, and where runs are to be kept, the run.
+function done = are_done (plan)
+  points = fullfile (plan.folder, "points");
+  done = cellfun (@(key) exist (fullfile (points, [key ".row"]), "file") > 0, plan.keys);
+  if (plan.settings.keep || plan.drawn)
+    done &= cellfun (@(key) exist (fullfile (points, key, "summary.json"), "file") > 0, plan.keys);
+  endif
+endfunction
+
+%!function check (folder)
+%!  plan = @(varargin) plan_sweep ("chain(3)", [{"output", fullfile(folder, "it's $x"), "jobs", 2}, varargin]);
+%!  first = plan ("vary", "argument.1=2,3", "tolerance", 1e-3, "observe", "model");
+%!  assert ({first.name, first.typed, first.pictures, first.drawn, first.done}, ...
+%!          {"chain", "chain(3)", true, false, [false false]});
+%!  command = first.commands{2};
+%!  assert (! isempty (strfind (command, " point SCENE='chain(3)' TOLERANCE=0.001 AT='argument.1=3' OBSERVE=model ")));
+%!  assert (! isempty (strfind (command, ["/it'\\''s $x/points' POINT=" first.keys{2}])));
+%!  keys = @(varargin) plan ("vary", "argument.1=2,3", varargin{:}).keys;
+%!  assert (keys ("tolerance", 1e-3, "observe", "model", "jobs", 1, "engine", "make", "keep", true), first.keys);
+%!  others = {{"observe", "model"}, {"tolerance", 1e-3}, {"tolerance", 1e-3, "observe", "model", "modes", [0 1]}};
+%!  for other = others
+%!    assert (isempty (intersect (keys (other{1}{:}), first.keys)));
+%!  endfor
+%!  points = fullfile (folder, "it's $x", "points"); mkdir (points);
+%!  write_text (fullfile (points, [first.keys{2} ".row"]), "1\n");
+%!  given = {"vary", "argument.1=2,3", "tolerance", 1e-3, "observe", "model"};
+%!  assert (plan (given{:}).done, [false true]); assert (plan (given{:}, "keep", true).done, [false false]);
+%!  mkdir (points, first.keys{2}); write_text (fullfile (points, first.keys{2}, "summary.json"), "{}");
+%!  assert (plan (given{:}, "keep", true).done, [false true]);
+%!  assert (plan (given{:}, "pictures", true).drawn); assert (plan (given{:}, "pictures", false).drawn, false);
+%!endfunction
+%!test in_scratch (@(folder, scratch) check (folder));
+%!error <a sweep takes a scene by its name or its file, not a struct> plan_sweep (struct (), {"vary", "a=1"})
+%!error <no scene "nowhere"> plan_sweep ("nowhere", {"vary", "a=1"})

@@ -1,0 +1,54 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{columns}, @var{values}] =} read_points (@var{file})
+## A table of points: CSV with a header of names (see @code{read_columns}) and a row a point (see @code{read_value}).
+## A row of more or fewer cells than the header has is an error with its line.
+## @end deftypefn
+
+function [columns, values] = read_points (file)
+  [id, message] = fopen (file, "r");
+  if (id < 0 || isfolder (file))
+    scene_error ("OVER: %s cannot be read: %s", file, message);
+  endif
+  text = strtrim (fread (id, [1 Inf], "uint8=>char"));
+  fclose (id);
+  byte_order_mark = char ([0xEF 0xBB 0xBF]);
+  lines = ostrsplit (strrep (strrep (text, byte_order_mark, ""), "\r", ""), "\n");
+  [~, name, extension] = fileparts (file);
+  name = [name extension];
+  columns = read_columns (ostrsplit (lines{1}, ","), name);
+  values = cell (numel (lines) - 1, numel (columns));
+  if (isempty (values))
+    scene_error ("%s has a header and no points", name);
+  endif
+  for k = 2:numel (lines)
+    cells = ostrsplit (lines{k}, ",");
+    if (numel (cells) != numel (columns))
+      scene_error ("%s, line %d has %d cells where the header has %d", name, k, numel (cells), numel (columns));
+    endif
+    for j = 1:numel (columns)
+      values{k-1,j} = read_value (cells{j}, sprintf ("%s, line %d, %s", name, k, columns{j}));
+    endfor
+  endfor
+endfunction
+
+%!function [columns, values] = read (text)
+%!  file = tempname ();
+%!  unwind_protect
+%!    write_text (file, text);
+%!    [columns, values] = read_points (file);
+%!  unwind_protect_cleanup
+%!    unlink (file);
+%!  end_unwind_protect
+%!endfunction
+%!test # as a spreadsheet writes it, too
+%! for text = {"a.b,c\n1,x\n2,0 4\n", [char([239 187 191]) "a.b,c\r\n1,x\r\n2,0 4\r\n\r\n"]}
+%!   [columns, values] = read (text{1});
+%!   assert (columns, {"a.b", "c"}); assert (values, {1, "x"; 2, [0 4]});
+%! endfor
+%!test # what is no number or word is refused with its line, and so is what is not there
+%! for row = {"1,=1+2", "1,../x", "1,\"2\"", "1, ", "1", "1,2,3", ""}
+%!   fail ("read (strjoin ({'a,b', '1,2', row{1}, '3,4'}, \"\\n\"))", "line 3(, b is|  *has \\d cells where)");
+%! endfor
+%!error <has a header and no points> read ("a,b\n")
+%!error <: a stands there twice> read ("a,a\n1,1\n")
+%!error <OVER: /nowhere/x.csv cannot be read: .> read_points ("/nowhere/x.csv")

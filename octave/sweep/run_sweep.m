@@ -1,0 +1,76 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{found} =} run_sweep (@var{plan}, @var{refused}, @var{scene}, @var{count})
+## Run the points of a @var{plan} (see @code{plan_sweep}) that are not done and not @var{refused} (see
+## @code{check_points}), and publish summary.csv and sweep.json before, as points end, and behind; then sweep.svg and
+## sweep.png, where one or two fields vary.  @var{scene} is one of the points', checked, and @var{count} the number of
+## columns that its runs have about.  @var{found} is what @code{sweep} returns.
+## @end deftypefn
+
+function found = run_sweep (plan, refused, scene, count)
+  start = tic ();
+  to_do = find (! plan.done & cellfun (@isempty, refused));
+  engine = engine_here (plan.settings.engine, plan.settings.jobs);
+  [numbers, pictures] = deal ({"summary.csv", "sweep.json"}, {"sweep.svg", "sweep.png"});
+  points = fullfile (plan.folder, "points");
+  require_folder (points);
+  announce_sweep (plan, refused, to_do, engine);
+  announce_disk (plan, numel (to_do), numel (frame_times (scene)), count, scene.frame_size);
+  for key = plan.keys(! plan.done)
+    [~, ~] = unlink (fullfile (points, [key{1} ".row"]));
+    [~, ~] = unlink (fullfile (points, [key{1} ".failed"]));
+  endfor
+  found = struct ("observed", {repmat({""}, numel (plan.keys), numel (plan.items))}, ...
+                  "done", false (1, numel (plan.keys)), "message", {refused});
+  found = gather_rows (plan, found);
+  publish (found, true);
+  if (! isempty (to_do))
+    found = follow_sweep (plan, found, to_do, engine, @publish);
+  endif
+  [found.columns, found.values] = deal (plan.columns, plan.values);
+  tell_failures (plan, found);
+  drawn = drawn_sweep (found, strcat ({plan.items.text}, plan.units));
+  output = struct ("folder", plan.folder, "pictures", plan.pictures && ! isempty (drawn.x));
+  publish_study (output, numbers, pictures, ...
+                 @(aside) write (found, false, aside), @(scratch) draw_sweep (drawn, scene.title, scratch));
+
+  function publish (found, running)
+    publish_run (plan.folder, [numbers, pictures], @(aside) write (found, running, aside));
+  endfunction
+
+  function write (found, running, aside)
+    state = struct ("running", running, "engine", engine, "jobs", plan.settings.jobs, "seconds", toc (start));
+    write_sweep (plan, found, state, aside);
+  endfunction
+endfunction
+
+function tell_failures (plan, found)
+  failed = find (! cellfun (@isempty, found.message));
+  for k = failed(1:min (end, 10))
+    say ("  point %d, %s: %s", k, point_words (plan.columns, plan.values(k,:)), found.message{k});
+  endfor
+  if (numel (failed) > 10)
+    say ("  and %d more, in sweep.json", numel (failed) - 10);
+  endif
+endfunction
+
+%!function check (folder)
+%!  count = 13;
+%!  plan = struct ("folder", folder, "typed", "x", "done", [true, false(1, count - 1)], "pictures", true, ...
+%!                 "drawn", false);
+%!  plan.keys = arrayfun (@(k) sprintf ("k%d", k), 1:count, "uniformoutput", false);
+%!  [plan.columns, plan.values, plan.items] = deal ({"a"}, num2cell ((1:count).'), struct ("text", "u"));
+%!  [plan.units, plan.commands] = deal ({" [m]"}, {});
+%!  plan.settings = struct ("engine", "make", "jobs", 1, "keep", false);
+%!  plan.about = struct ("observe", "u");
+%!  scene = struct ("title", "A rod", "duration", 1, "frames_per_second", 10, "frame_size", [1280 720]);
+%!  mkdir (fullfile (folder, "points")); write_text (fullfile (folder, "points", "k1.row"), "0.5\n");
+%!  said = evalc ("found = run_sweep (plan, [{''}, repmat({'no'}, 1, count - 1)], scene, 7);");
+%!  assert (found.done, plan.done); assert (found.values, plan.values); assert (found.columns, {"a"});
+%!  lines = strsplit (strtrim (said), "\n");
+%!  assert (lines(2:3), {"  point 2, a=2: no", "  point 3, a=3: no"});
+%!  assert (lines(end-1:end), {"  and 2 more, in sweep.json", ...
+%!                             [folder "/ has summary.csv, sweep.json, sweep.svg, sweep.png"]});
+%!  assert (fileread (fullfile (folder, "summary.csv")), "point,a,u [m],key\n1,1,0.5,k1\n");
+%!  assert (jsondecode (fileread (fullfile (folder, "sweep.json"))).running, false);
+%!endfunction
+%!test in_scratch (@(folder, scratch) check (folder));   # where nothing can be run

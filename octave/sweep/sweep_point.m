@@ -1,0 +1,92 @@
+## -*- texinfo -*-
+## @deftypefn {} {} sweep_point (@var{scene}, @var{option}, @var{value}, @dots{})
+## Run one point of a sweep, that of the option "at", and leave what "observe" asks for: options as for @code{sweep},
+## and "point", the key by which the folder "output" then has it, a file of these names with the ending
+##
+## @table @code
+## @item row
+## the observed numbers and texts, a line each
+## @item failed
+## the message of a run that failed, which is this command's error, too
+## @end table
+##
+## With "keep", the run's history.csv and summary.json are in a folder of that name; with "pictures", all its files.
+## Without "point" nothing is written, and the values are printed.
+## @end deftypefn
+
+function sweep_point (which, varargin)
+  [settings, options] = take_settings (varargin);
+  items = read_observe (settings.observe);
+  [~, output] = take_options (struct (), "", options);
+  names = strcat (settings.point, {".row", ".failed"});
+  place = "";
+  if (settings.keep || output.pictures)
+    place = fullfile (output.folder, settings.point);
+  endif
+  if (isempty (settings.point))
+    cellfun (@(line) say ("%s", line), observe_run (which, settings, options, items, ""));
+    return;
+  endif
+  try
+    lines = observe_run (which, settings, options, items, place);
+    leave (names{1}, sprintf ("%s\n", lines{:}));
+  catch err
+    leave (names{2}, [strjoin(strsplit (strtrim (err.message)), " ") "\n"]);
+    rethrow (err);
+  end_try_catch
+
+  function leave (name, text)
+    publish_run (output.folder, names, @(aside) write_text (fullfile (aside, name), text));
+  endfunction
+endfunction
+
+## the observed values, a text each, of a run that leaves its files in a place
+function lines = observe_run (which, settings, options, items, place)
+  [columns, values] = sweep_table (settings);
+  [scene, output] = scene_at (which, options, columns, values(1,:));
+  run = driver (scene, "output", place, "pictures", output.pictures);
+  kind = kind_of (run.scene);
+  [names, table] = kind.columns (run.scene, run);
+  lines = arrayfun (@(item) text_of (observed_value (item, names, table, run.summary)), items, "uniformoutput", false);
+endfunction
+
+function text = text_of (value)
+  text = value;
+  if (! ischar (value))
+    text = sprintf ("%.17g", value);
+  endif
+endfunction
+
+%!function found = run_point (folder, varargin)
+%!  found = {"", {}};
+%!  point = {"output", folder, "pictures", false, "point", "k"};
+%!  try
+%!    sweep_point ("swing", "modes", [0 0], "solver", "rk4", point{:}, varargin{:});
+%!  catch err
+%!    found{1} = strtrim (err.message);
+%!  end_try_catch
+%!  found{2} = setdiff ({dir(folder).name}, {".", "..", "scratch"});
+%!  found(3:4) = cellfun (@(name) read (fullfile (folder, ["k" name])), {".row", ".failed"}, "uniformoutput", false);
+%!endfunction
+%!function text = read (file)
+%!  text = "";
+%!  if (exist (file, "file"))
+%!    text = fileread (file);
+%!  endif
+%!endfunction
+%!function check (folder)
+%!  point = {"at", "duration=0.1; solver.step=0.001; solver.tolerance=1e-4"};
+%!  bad = run_point (folder, "at", "duration=0.1; solver.step=0.5; solver.tolerance=-1", "observe", "last phi");
+%!  assert (bad, {"solver.tolerance is -1: it takes \"pixel\" or positive number in m", {"k.failed"}, "", ...
+%!                "solver.tolerance is -1: it takes \"pixel\" or positive number in m\n"});
+%!  good = run_point (folder, point{:}, "observe", "model, last t, estimated_error_m");
+%!  assert (good, {"", {"k.row"}, "rigid\n0.10000000000000001\nNaN\n", ""});
+%!  kept = run_point (folder, point{:}, "observe", "last t", "keep", true);
+%!  assert (kept(2), {{"k", "k.row"}});
+%!  assert (sort ({dir(fullfile (folder, "k")).name}), {".", "..", "history.csv", "summary.json"});
+%!endfunction
+%!test # the row of a run, or the message of one that failed, in the place of the other; files where they are kept
+%! evalc ("in_scratch (@(folder, scratch) check (folder));");
+%!test # without a key a person sees the values
+%! said = evalc ("sweep_point ('swing', 'at', 'duration=0.1', 'modes', [0 0], 'observe', 'last t, model');");
+%! assert (strsplit (strtrim (said), "\n"){end}, "rigid");

@@ -1,0 +1,55 @@
+## -*- texinfo -*-
+## @deftypefn {} {} write_sweep (@var{plan}, @var{found}, @var{state}, @var{folder})
+## What a sweep of a @var{plan} (see @code{plan_sweep}) has @var{found} by now (see @code{gather_rows}), in the
+## @var{folder}: summary.csv, a row a point that is done, and sweep.json, what is done, failed and missing, with the
+## messages of those that failed and the fields of the struct @var{state}.
+## @end deftypefn
+
+function write_sweep (plan, found, state, folder)
+  done = find (found.done);
+  heads = [{"point"}, plan.columns, strcat({plan.items.text}, plan.units), {"key"}];
+  cells = [arrayfun(@(k) sprintf ("%d", k), done(:), "uniformoutput", false), ...
+           cellfun(@value_words, plan.values(done,:), "uniformoutput", false), ...
+           cellfun(@csv_cell, found.observed(done,:), "uniformoutput", false), plan.keys(done).'].';
+  template = [repmat("%s,", 1, numel (heads) - 1), "%s\n"];
+  write_text (fullfile (folder, "summary.csv"), [sprintf(template, heads{:}), sprintf(template, cells{:})]);
+
+  failed = find (! cellfun (@isempty, found.message));
+  summary = struct ("scene", plan.typed, "columns", {plan.columns}, "observe", plan.about.observe, ...
+                    "points", numel (plan.keys), "done", numel (done), "failed", numel (failed), ...
+                    "missing", numel (plan.keys) - numel (done) - numel (failed), "failures", []);
+  for k = failed
+    summary.failures(end+1).point = k;
+    summary.failures(end).at = point_words (plan.columns, plan.values(k,:));
+    summary.failures(end).message = found.message{k};
+    summary.failures(end).key = plan.keys{k};
+  endfor
+  summary.about = plan.about;
+  for [value, name] = state
+    summary.(name) = value;
+  endfor
+  write_summary (summary, fullfile (folder, "sweep.json"));
+endfunction
+
+function text = csv_cell (text)
+  if (any (ismember (text, ",\"\n")))
+    text = ["\"" strrep(text, "\"", "\"\"") "\""];
+  endif
+endfunction
+
+%!function [csv, json] = written (folder)
+%!  plan = struct ("typed", "swing", "columns", {{"a", "b"}}, "values", {{0.1 "x"; [0 4] "y"; 3 "z"; 4 "w"}}, ...
+%!                 "keys", {{"k", "l", "m", "n"}}, "units", {{" [m]", ""}}, "about", struct ());
+%!  plan.about.observe = "max u, model";
+%!  plan.items = struct ("text", {"max u", "model"});
+%!  found = struct ("observed", {{"0.5", "6, \"rigid\""; "1", ""; "", ""; "", ""}}, ...
+%!                  "done", [true true false false], "message", {{"", "", "it failed", ""}});
+%!  write_sweep (plan, found, struct ("jobs", 2), folder);
+%!  csv = fileread (fullfile (folder, "summary.csv"));
+%!  json = jsondecode (fileread (fullfile (folder, "sweep.json")));
+%!endfunction
+%!test
+%! [csv, json] = in_scratch (@(folder, scratch) written (folder));
+%! assert (csv, "point,a,b,max u [m],model,key\n1,0.1,x,0.5,\"6, \"\"rigid\"\"\",k\n2,0 4,y,1,,l\n");
+%! assert ([json.points, json.done, json.failed, json.missing, json.jobs], [4 2 1 1 2]);
+%! assert (json.failures, struct ("point", 3, "at", "a=3; b=z", "message", "it failed", "key", "m"));
