@@ -12,18 +12,20 @@ override OUTPUT := $(value OUTPUT)
 override SURFACE := $(value SURFACE)
 override OVER := $(value OVER)
 override GENERATED := $(value GENERATED)
-export SCENE MODES SOLVER TOLERANCE SIZE OUTPUT PICTURES OCTAVE SURFACE GENERATED FUNCTION ARGUMENT OVER
+export SCENE MODES SOLVER TOLERANCE SIZE OUTPUT PICTURES OCTAVE SURFACE GENERATED FUNCTION ARGUMENT OVER SWEEP
 unexport POSIXLY_CORRECT CDPATH
 run_octave = $(OCTAVE) --norc --no-gui --no-history --quiet
 derive_everything = maxima/derive "$$GENERATED" "$(MODES_LITERAL)"
 derive_surface = maxima/derive_surface "$${OUTPUT:-output/surfaces}" "$$SURFACE"
+run_with_settings = settings = sweep_settings (); run_command
 draw_or_follow = $(if $(FUNCTION),argument_way (getenv ("FUNCTION"), getenv ("ARGUMENT")),draw_map ())
 
 .PHONY: help setup derive equations simulate models chart stability statics modes campbell response sweep point choices \
 	conditioning check map systems pairs mutants fuzz clean dist
 
 help:
-	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg'
+	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg' \
+		'[SWEEP=yes: GNU parallel, for sweeps]'
 	@echo 'make simulate    simulate and draw SCENE=paper (or a file)' \
 		'[MODES="7 7" SOLVER=ode45 TOLERANCE=1e-6 SIZE=1920x1080 OUTPUT=folder PICTURES=no DENSE=1000]'
 	@echo 'make models      the ladder of models of SCENE=paper, error against seconds: table and chart [BUDGET=60 seconds]'
@@ -89,12 +91,11 @@ response:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @frequency_response; run_command'
 
 sweep:
-	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @sweep; settings = sweep_settings (); run_command'
+	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @sweep; $(run_with_settings)'
 
-# one point of a sweep, with a processor for itself
+# one point of a sweep, which keeps to one processor: as many run at a time as there are
 point:
-	@QUIET=1 OMP_NUM_THREADS=1 $(run_octave) --eval 'source octave/toolchain_path.m; command = @sweep_point; \
-		settings = sweep_settings (); run_command'
+	@OMP_NUM_THREADS=1 $(run_octave) --eval 'source octave/toolchain_path.m; command = @sweep_point; $(run_with_settings)'
 
 choices:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; verify_choices (shipped_and_random (20, 40));'

@@ -31,7 +31,8 @@ endfunction
 
 ## the folders of processes that are no more
 function remove_left_over (folder)
-  for left = readdir (folder).'
+  names = readdir (folder);
+  for left = names(strncmp (names, ".partial-", 9)).'
     process = regexp (left{1}, '^\.partial-(\d+)-\w+$', "tokens");
     if (! isempty (process) && kill (str2double (process{1}{1}), 0) != 0)
       rmdir (fullfile (folder, left{1}), "s");

@@ -13,6 +13,7 @@ function [refused, scene] = check_points (which, plan)
     base = scene_at (which, {}, {}, {});  # it is the same for all, and loaded once
   endif
   for k = union (find (! plan.done), 1)
+    show_progress (sprintf ("checking point %d of %d", k, numel (plan.keys)));
     try
       checked = scene_at (base, plan.options, plan.columns, plan.values(k,:));
       checked = kind_of (checked).check (checked);
@@ -23,6 +24,7 @@ function [refused, scene] = check_points (which, plan)
       refused{k} = strtrim (err.message);
     end_try_catch
   endfor
+  show_progress ("");
   if (isempty (scene))
     scene_error ("no point can be run: point 1, %s: %s", point_words (plan.columns, plan.values(1,:)), refused{1});
   endif

@@ -8,7 +8,7 @@
 
 function command = engine_command (engine, jobs, folder, names, commands)
   of_make_sweep = [{"MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES"}, toupper(sweep_settings ()(:,1)).'];
-  clean = sprintf ("unset %s; ", strjoin (of_make_sweep, " "));
+  clean = sprintf ("unset %s; export QUIET=1; ", strjoin (of_make_sweep, " "));
   switch (engine)
     case "parallel"
       write_text (fullfile (folder, "commands"), sprintf ("%s\n", commands{:}));

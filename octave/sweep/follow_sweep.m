@@ -10,7 +10,8 @@ function found = follow_sweep (plan, found, to_do, engine, publish)
   confirm_recursive_rmdir (false, "local");
   [~, ~] = rmdir (folder, "s");  # of a sweep that was killed
   mkdir (folder);
-  command = engine_command (engine, plan.settings.jobs, folder, plan.keys(to_do), plan.commands(to_do));
+  commands = arrayfun (plan.command, to_do, "uniformoutput", false);
+  command = engine_command (engine, plan.settings.jobs, folder, plan.keys(to_do), commands);
   job = start_tool (folder, engine, command);
   ended = false;
   unwind_protect
@@ -74,9 +75,9 @@ endfunction
 %!function check (folder)
 %!  points = fullfile (folder, "points"); mkdir (points);
 %!  plan = struct ("folder", folder, "keys", {{"a", "b", "c", "d"}}, "settings", struct ("jobs", 1));
-%!  plan.commands = {"false", "echo 1 >points/b.row; sleep 0.6", "echo no >points/c.failed; false", ...
-%!                   "echo 'the last word' >&2; kill -9 $$"};
-%!  plan.commands = strrep (plan.commands, "points/", [points "/"]);
+%!  commands = {"false", "echo 1 >points/b.row; sleep 0.6", "echo no >points/c.failed; false", ...
+%!              "echo 'the last word' >&2; kill -9 $$"};
+%!  plan.command = @(k) strrep (commands{k}, "points/", [points "/"]);
 %!  found = struct ("observed", {{"5"; ""; ""; ""}}, "done", [true false false false], "message", {{"", "", "", ""}});
 %!  note = fullfile (folder, "noted");
 %!  found = follow_sweep (plan, found, [2 3 4], "make", @(found, running) note_down (note, found));

@@ -6,7 +6,7 @@
 ## @var{plan} is a struct of name and typed, the scene's; settings (see @code{sweep_settings}); folder, where its files
 ## go; pictures, whether the whole is drawn; columns and values (see @code{sweep_table}); items (see
 ## @code{read_observe}); about, what all points have in common, a text by name; keys (cellstr, see @code{point_keys});
-## commands (cellstr), what runs a point; and done, whether its row is there.
+## command (k), what runs the k-th point; and done, whether its row is there.
 ## @end deftypefn
 
 function plan = plan_sweep (which, options)
@@ -30,9 +30,8 @@ function plan = plan_sweep (which, options)
                        "options", repeat_command (plan.typed, plan.options), ...
                        "observe", strjoin ({plan.items.text}, ", "));
   plan.keys = point_keys (strjoin (struct2cell (plan.about), "\n"), plan.columns, plan.values);
-  plan.commands = cellfun (@(key, k) command_of (plan, key, plan.values(k,:)), ...
-                           plan.keys, num2cell (1:numel (plan.keys)), "uniformoutput", false);
   plan.done = are_done (plan);
+  plan.command = @(k) command_of (plan, plan.keys{k}, plan.values(k,:));
 endfunction
 
 function command = command_of (plan, key, values)
@@ -56,7 +55,7 @@ endfunction
 %!  first = plan ("vary", "argument.1=2,3", "tolerance", 1e-3, "observe", "model");
 %!  assert ({first.name, first.typed, first.pictures, first.drawn, first.done}, ...
 %!          {"chain", "chain(3)", true, false, [false false]});
-%!  command = first.commands{2};
+%!  command = first.command (2);
 %!  assert (! isempty (strfind (command, " point SCENE='chain(3)' TOLERANCE=0.001 AT='argument.1=3' OBSERVE=model ")));
 %!  assert (! isempty (strfind (command, ["/it'\\''s $x/points' POINT=" first.keys{2}])));
 %!  keys = @(varargin) plan ("vary", "argument.1=2,3", varargin{:}).keys;

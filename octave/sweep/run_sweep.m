@@ -59,7 +59,7 @@ endfunction
 %!                 "drawn", false);
 %!  plan.keys = arrayfun (@(k) sprintf ("k%d", k), 1:count, "uniformoutput", false);
 %!  [plan.columns, plan.values, plan.items] = deal ({"a"}, num2cell ((1:count).'), struct ("text", "u"));
-%!  [plan.units, plan.commands] = deal ({" [m]"}, {});
+%!  plan.units = {" [m]"};
 %!  plan.settings = struct ("engine", "make", "jobs", 1, "keep", false);
 %!  plan.about = struct ("observe", "u");
 %!  scene = struct ("title", "A rod", "duration", 1, "frames_per_second", 10, "frame_size", [1280 720]);

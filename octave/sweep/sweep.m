@@ -28,7 +28,7 @@ function found = sweep (scene = "paper", varargin)
   [refused, checked] = check_points (scene, plan);
   [plan.units, count] = observable_units (checked, plan.items);
   if (plan.settings.dry)
-    printf ("%s\n", plan.commands{! plan.done & cellfun (@isempty, refused)});
+    arrayfun (@(k) printf ("%s\n", plan.command (k)), find (! plan.done & cellfun (@isempty, refused)));
     return;
   endif
   result = run_sweep (plan, refused, checked, count);
