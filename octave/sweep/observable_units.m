@@ -2,15 +2,18 @@
 ## @deftypefn {} {[@var{units}, @var{count}] =} observable_units (@var{scene}, @var{items})
 ## The units of what the @var{items} of OBSERVE (see @code{read_observe}) ask of a checked @var{scene}, " [m]" or "" (a
 ## cellstr): those of the columns that two frames of it have, of which there are so many (@var{count}) with a
-## small model.  A column that its runs do not have, whatever their model's size, is an error.
+## small model.  A column that its runs do not have, whatever their model's size, is an error, and so is what
+## their summary does not have.
 ## @end deftypefn
 
 function [units, count] = observable_units (scene, items)
   units = repmat ({""}, 1, numel (items));
-  names = column_names (scene);
+  [names, summary] = short_run (scene);
   count = numel (names);
   [bare, unit] = strtok (names, " ");
-  for k = find (! strcmp ({items.part}, "summary"))
+  of_summary = strcmp ({items.part}, "summary");
+  arrayfun (@(item) observed_value (item, {}, [], summary), items(of_summary), "uniformoutput", false);
+  for k = find (! of_summary)
     row = find (strcmp (any_number (items(k).name), any_number (bare)), 1);
     if (isempty (row))
       scene_error ("OBSERVE: history.csv has no column %s: those are %s", items(k).name, strjoin (bare, ", "));
@@ -19,13 +22,14 @@ function [units, count] = observable_units (scene, items)
   endfor
 endfunction
 
-function names = column_names (scene)
+function [names, summary] = short_run (scene)
   kind = kind_of (scene);
   scene.duration = min (scene.duration, 1/scene.frames_per_second);
   [scene.solver.name, scene.solver.step] = deal ("auto", []);  # what the scene's own makes of it is another matter
   model = kind.sized (scene, 4);
   run = run_model (kind, scene, model);
   names = kind.columns (scene, run);
+  summary = summarise (kind, "", scene, run, given_choice ([], ""));
 endfunction
 
 ## V2_1 and V2_7 are columns of the same sort
@@ -38,5 +42,7 @@ endfunction
 %! assert (units (swing (), "max|tip_y|, model, last V2_30, last phi_dot"), {" [m]", "", " [m]", " [rad/s]"});
 %! assert (units (chain (2), "last tip_x_2, last lambda_1_1"), {" [m]", " [N]"});
 %! assert (units (bowl (), "last tip_z, last T"), {" [m]", " [J]"});
-%! assert (units (swing (), "model"), {""});
+%! assert (units (swing (), "model, estimated_error_m, modes(2), seconds.choice, title"), repmat ({""}, 1, 5));
+%! fail ("units (swing (), 'modus')", "OBSERVE: summary.json has no modus");
+%! fail ("units (swing (), 'modes')", "OBSERVE: modes of summary.json is no number and no text, but a 1-by-2 double");
 %! fail ("units (swing (), 'max tip_z')", "OBSERVE: history.csv has no column tip_z: those are t, phi, .*");
