@@ -12,7 +12,7 @@ if (fields == 2) {
   if (logs[2]) { set logscale y; set format y "10^{%L}" }
   unset grid
   set view map
-  set pm3d corners2color mean
+  set pm3d corners2color mean interpolate finer[1],finer[2]
   set autoscale xfix
   set autoscale yfix
   set linetype cycle 30

@@ -70,6 +70,7 @@ endfunction
 %!  assert (lines(2:3), {"  point 2, a=2: no", "  point 3, a=3: no"});
 %!  assert (lines(end-1:end), {"  and 2 more, in sweep.json", ...
 %!                             [folder "/ has summary.csv, sweep.json, sweep.svg, sweep.png"]});
+%!  assert (numel (strfind (said, "\n  point ")), 10);
 %!  assert (fileread (fullfile (folder, "summary.csv")), "point,a,u [m],key\n1,1,0.5,k1\n");
 %!  assert (jsondecode (fileread (fullfile (folder, "sweep.json"))).running, false);
 %!endfunction

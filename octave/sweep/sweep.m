@@ -28,7 +28,8 @@ function found = sweep (scene = "paper", varargin)
   [refused, checked] = check_points (scene, plan);
   [plan.units, count] = observable_units (checked, plan.items);
   if (plan.settings.dry)
-    arrayfun (@(k) printf ("%s\n", plan.command (k)), find (! plan.done & cellfun (@isempty, refused)));
+    found = [];
+    print_commands (plan, refused);
     return;
   endif
   result = run_sweep (plan, refused, checked, count);
@@ -41,6 +42,17 @@ function found = sweep (scene = "paper", varargin)
   endif
 endfunction
 
+
+## what a shell takes as it is
+function print_commands (plan, refused)
+  for k = find (! plan.done)
+    if (isempty (refused{k}))
+      printf ("%s\n", plan.command (k));
+    else
+      printf ("# point %d, %s: %s\n", k, point_words (plan.columns, plan.values(k,:)), refused{k});
+    endif
+  endfor
+endfunction
 
 %!function file = write_scene (folder)   # a rod that a torque turns, a NaN where it is 0
 %!  file = fullfile (folder, "driven.m");
@@ -103,9 +115,10 @@ endfunction
 %!endfunction
 %!test in_scratch (@check_same);   # a row has what the run has; what is kept, and what counts, is said
 %!function check_dry (folder, scratch)
-%!  commands = evalc ("sweep (write_scene (folder), 'vary', 'argument.1=1,2', 'dry', true, 'output', scratch);");
+%!  commands = evalc ("sweep (write_scene (folder), 'vary', 'argument.1=1,2,x', 'dry', true, 'output', scratch);");
 %!  lines = strsplit (strtrim (commands), "\n");
-%!  assert (numel (lines), 2); assert ({dir(scratch).name}, {".", ".."});
+%!  assert (numel (lines), 3); assert ({dir(scratch).name}, {".", ".."});
+%!  assert (lines{3}, "# point 3, argument.1=x: argument.1 is \"x\": it takes a number");
 %!  assert (system (lines{2}), 0);
 %!  assert (numel (glob (fullfile (scratch, "points", "*.row"))), 1);
 %!  said = call (scratch, fullfile (folder, "driven.m"), "vary", "argument.1=1,2", "pictures", false, "jobs", 1);
