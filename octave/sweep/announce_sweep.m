@@ -1,13 +1,14 @@
 ## -*- texinfo -*-
-## @deftypefn {} {} announce_sweep (@var{plan}, @var{refused}, @var{to_do}, @var{engine})
+## @deftypefn {} {} announce_sweep (@var{plan}, @var{refused}, @var{to_do}, @var{engine}, @var{jobs})
 ## Say what a sweep of a @var{plan} (see @code{plan_sweep}) will do: how many points it has, how many of them are done
-## already, are @var{refused} (cellstr), or run now, those @var{to_do}, by which @var{engine}; what is another than in
+## already, are @var{refused} (cellstr), or run now, those @var{to_do}, by which @var{engine}, so many @var{jobs} at
+## a time; what is another than in
 ## the last sweep in its folder; and what runs that are kept take of the disk.
 ## @end deftypefn
 
-function announce_sweep (plan, refused, to_do, engine)
+function announce_sweep (plan, refused, to_do, engine, jobs)
   say ("%d points of %s: %d done before, %d refused, %d to run by %s, %d at a time", numel (plan.keys), plan.typed, ...
-       sum (plan.done), sum (! cellfun (@isempty, refused)), numel (to_do), engine, plan.settings.jobs);
+       sum (plan.done), sum (! cellfun (@isempty, refused)), numel (to_do), engine, jobs);
   last = struct ();
   try
     last = jsondecode (fileread (fullfile (plan.folder, "sweep.json"))).about;
@@ -24,12 +25,12 @@ endfunction
 
 %!function said = announced (folder, about, change)
 %!  plan = struct ("keys", {{"a", "b", "c"}}, "typed", "swing", "done", [true false false], "folder", folder, ...
-%!                 "settings", struct ("jobs", 2), "about", about);
+%!                 "about", about);
 %!  write_summary (struct ("about", about), fullfile (folder, "sweep.json"));
 %!  for pair = reshape (change, 2, [])
 %!    plan.about.(pair{1}) = pair{2};
 %!  endfor
-%!  said = strrep (evalc ("announce_sweep (plan, {'', 'no', ''}, 3, 'make');"), folder, "F");
+%!  said = strrep (evalc ("announce_sweep (plan, {'', 'no', ''}, 3, 'make', 2);"), folder, "F");
 %!endfunction
 %!test
 %! about = struct ("program", "1", "scene", "2", "options", "3", "observe", "4");

@@ -1,26 +1,43 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{command} =} engine_command (@var{engine}, @var{jobs}, @var{folder}, @var{names}, @var{commands})
+## @deftypefn {} {@var{command} =} engine_command (@var{engine}, @var{jobs}, @var{folder}, @var{names}, @
+##   @var{commands}, @var{gather})
 ## What distributes the @var{commands} (cellstr) among so many @var{jobs} at a time: a shell command for the
 ## @var{folder}, in which their list is written, each under its name of @var{names}.  The @var{engine} is "parallel",
-## GNU parallel, with the list of what ended when and how in joblog; or "make", which is always there.  Neither stops
-## at a point that fails, and neither reads settings of the user's.
+## GNU parallel, with the list of what ended when and how in joblog; "make", which is always there; or "slurm", an
+## array of at most 1000 tasks in Slurm's queue (for which the user's SBATCH_ variables hold: partition, time, memory),
+## and the command @var{gather} behind them all, in a job that depends on theirs.  None stops at a point that fails.
+## A task that Slurm puts back into the queue begins at its first point that has no row.
 ## @end deftypefn
 
-function command = engine_command (engine, jobs, folder, names, commands)
+function command = engine_command (engine, jobs, folder, names, commands, gather = "")
   of_make_sweep = [{"MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES"}, toupper(sweep_settings ()(:,1)).'];
   clean = sprintf ("unset %s; export QUIET=1; ", strjoin (of_make_sweep, " "));
+  put = @(name, template, varargin) write_text (fullfile (folder, name), sprintf (template, varargin{:}));
+  lines = [names; commands];
   switch (engine)
     case "parallel"
-      write_text (fullfile (folder, "commands"), sprintf ("%s\n", commands{:}));
-      command = sprintf ([clean "PARALLEL_HOME=$PWD PARALLEL_SHELL=/bin/sh exec parallel --plain --will-cite" ...
-                          " --jobs %d --joblog joblog --arg-file commands"], jobs);
+      put ("commands", "%s\n", commands{:});
+      command = sprintf (["PARALLEL_HOME=$PWD PARALLEL_SHELL=/bin/sh exec parallel --plain --will-cite --jobs %d" ...
+                          " --joblog joblog --arg-file commands"], jobs);
     case "make"
-      rules = [names; strrep(commands, "$", "$$")];
-      write_text (fullfile (folder, "commands"), [sprintf(".PHONY: all %s\n", strjoin (names, " ")), ...
-                                                  "all: ", strjoin(names, " "), "\n", ...
-                                                  sprintf("%s:\n\t@%s\n", rules{:})]);
-      command = sprintf ([clean "exec make -s -k -j %d -f commands"], jobs);
+      every = strjoin (names, " ");
+      rules = sprintf ("%s:\n\t@%s\n", strrep (lines, "$", "$$"){:});
+      put ("commands", ".PHONY: all %s\nall: %s\n%s", every, every, rules);
+      command = sprintf ("exec make -s -k -j %d -f commands", jobs);
+    case "slurm"
+      tasks = min (numel (names), 1000);
+      put ("commands", "[ -e ../points/%s.row ] || %s\n", lines{:});
+      put ("task", ["#!/bin/sh\nexec sh -c" ...
+                    " \"$(awk -v n=%d -v k=$SLURM_ARRAY_TASK_ID '(NR - k) %% n == 0' commands)\"\n"], tasks);
+      put ("gather", "#!/bin/sh\n%s\n", gather);
+      range = sprintf ("1-%d", tasks);
+      if (isfinite (jobs))
+        range = sprintf ("%s%%%d", range, jobs);
+      endif
+      command = ["array=$(sbatch --parsable --requeue --output=/dev/null --array=" range " task) && exec sbatch" ...
+                 " --wait --output=/dev/null --dependency=\"afterany:${array%%;*}\" gather"];
   endswitch
+  command = [clean command];
 endfunction
 
 %!function said = run_all (folder, engine, commands)

@@ -1,36 +1,44 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{found} =} follow_sweep (@var{plan}, @var{found}, @var{to_do}, @var{engine}, @var{publish})
-## Let an @var{engine} (see @code{engine_command}) run those points @var{to_do} of a @var{plan}, and @var{publish}
-## (found, running) what there is at any time (see @code{gather_rows}); on a terminal a line has how many points are
-## done and failed, and the seconds left.  A point that leaves nothing has failed, too.
+## @deftypefn {} {@var{found} =} follow_sweep (@var{plan}, @var{found}, @var{to_do}, @var{engine}, @var{jobs}, @
+##   @var{publish})
+## Let an @var{engine} (see @code{engine_command}) run those points @var{to_do} of a @var{plan}, so many @var{jobs} at
+## a time, and @var{publish} (found, running) what there is at any time (see @code{gather_rows}); on a terminal a line
+## has how many points are done and failed, and the seconds left.  A point that leaves nothing has failed, too.
 ## @end deftypefn
 
-function found = follow_sweep (plan, found, to_do, engine, publish)
+function found = follow_sweep (plan, found, to_do, engine, jobs, publish)
   folder = fullfile (plan.folder, "engine");
   confirm_recursive_rmdir (false, "local");
   [~, ~] = rmdir (folder, "s");  # of a sweep that was killed
   mkdir (folder);
   commands = arrayfun (plan.command, to_do, "uniformoutput", false);
-  command = engine_command (engine, plan.settings.jobs, folder, plan.keys(to_do), commands);
+  gather = "";
+  if (strcmp (engine, "slurm"))
+    gather = gather_command (plan, folder);
+  endif
+  command = engine_command (engine, jobs, folder, plan.keys(to_do), commands, gather);
   job = start_tool (folder, engine, command);
   ended = false;
   unwind_protect
-    found = watch (plan, found, job.pid, publish);
+    found = watch (plan, found, job.pid, publish, strcmp (engine, "slurm"));
     ended = true;
     for k = find (! found.done & cellfun (@isempty, found.message))
       found.message{k} = ["its process ended and did not say why: " last_words(job.log)];
     endfor
   unwind_protect_cleanup
-    if (! ended)
+    if (! ended && ! strcmp (engine, "slurm"))  # a queue goes on without who waits for it
       kill (job.pid, SIG ().TERM);
     endif
     show_progress ("");
     [~, ~] = unlink (job.log);
-    [~, ~] = rmdir (folder, "s");
+    if (ended)
+      [~, ~] = rmdir (folder, "s");
+    endif
   end_unwind_protect
 endfunction
 
-function found = watch (plan, found, pid, publish)
+## A queue says late that it is empty.
+function found = watch (plan, found, pid, publish, is_queue)
   start = tic ();
   begun = counted (found);
   do
@@ -43,7 +51,7 @@ function found = watch (plan, found, pid, publish)
     endif
     show_progress (sweep_progress (found, counted (found) - begun, toc (start)));
     pause ((ended == 0)*max (0.2, 20*toc (look)));  # a twentieth of the time, at most
-  until (ended != 0)
+  until (ended != 0 || (is_queue && counted (found) == numel (plan.keys)))
 endfunction
 
 function n = counted (found)
@@ -74,13 +82,13 @@ endfunction
 %!endfunction
 %!function check (folder)
 %!  points = fullfile (folder, "points"); mkdir (points);
-%!  plan = struct ("folder", folder, "keys", {{"a", "b", "c", "d"}}, "settings", struct ("jobs", 1));
+%!  plan = struct ("folder", folder, "keys", {{"a", "b", "c", "d"}});
 %!  commands = {"false", "echo 1 >points/b.row; sleep 0.6", "echo no >points/c.failed; false", ...
 %!              "echo 'the last word' >&2; kill -9 $$"};
 %!  plan.command = @(k) strrep (commands{k}, "points/", [points "/"]);
 %!  found = struct ("observed", {{"5"; ""; ""; ""}}, "done", [true false false false], "message", {{"", "", "", ""}});
 %!  note = fullfile (folder, "noted");
-%!  found = follow_sweep (plan, found, [2 3 4], "make", @(found, running) note_down (note, found));
+%!  found = follow_sweep (plan, found, [2 3 4], "make", 1, @(found, running) note_down (note, found));
 %!  assert (found.done, [true true false false]); assert (found.observed, {"5"; "1"; ""; ""});
 %!  assert (found.message(1:3), {"", "", "no"});
 %!  assert (! isempty (regexp (found.message{4}, "^its process ended and did not say why: .")));

@@ -24,7 +24,7 @@ function plan = plan_sweep (which, options)
   [plan.columns, plan.values] = sweep_table (settings);
   names = options(1:2:end);
   is_output = ismember (names, {"output", "pictures"});
-  plan.options = options(reshape ([! is_output; ! is_output], 1, []));
+  plan.options = sorted_pairs (options(reshape ([! is_output; ! is_output], 1, [])));
   plan.drawn = output.pictures && any (strcmp (names, "pictures"));
   plan.about = struct ("program", program_key (), "scene", hash ("sha256", fileread (file))(1:16), ...
                        "options", repeat_command (plan.typed, plan.options), ...
@@ -32,6 +32,12 @@ function plan = plan_sweep (which, options)
   plan.keys = point_keys (strjoin (struct2cell (plan.about), "\n"), plan.columns, plan.values);
   plan.done = are_done (plan);
   plan.command = @(k) command_of (plan, plan.keys{k}, plan.values(k,:));
+endfunction
+
+## the same options are the same, in whatever order
+function options = sorted_pairs (options)
+  [~, order] = sort (options(1:2:end));
+  options = reshape (options([2*order - 1; 2*order]), 1, []);
 endfunction
 
 function command = command_of (plan, key, values)

@@ -8,14 +8,14 @@
 
 function found = run_sweep (plan, refused, scene, count)
   start = tic ();
-  to_do = find (! plan.done & cellfun (@isempty, refused));
-  engine = engine_here (plan.settings.engine, plan.settings.jobs);
+  to_do = find (! plan.done & cellfun (@isempty, refused) & ! plan.settings.gather);
+  [engine, jobs] = engine_here (plan.settings.engine, plan.settings.jobs);
   [numbers, pictures] = deal ({"summary.csv", "sweep.json"}, {"sweep.svg", "sweep.png"});
   points = fullfile (plan.folder, "points");
   require_folder (points);
-  announce_sweep (plan, refused, to_do, engine);
+  announce_sweep (plan, refused, to_do, engine, jobs);
   announce_disk (plan, numel (to_do), numel (frame_times (scene)), count, scene.frame_size);
-  for key = plan.keys(! plan.done)
+  for key = plan.keys(! plan.done & ! plan.settings.gather)
     [~, ~] = unlink (fullfile (points, [key{1} ".row"]));
     [~, ~] = unlink (fullfile (points, [key{1} ".failed"]));
   endfor
@@ -24,7 +24,7 @@ function found = run_sweep (plan, refused, scene, count)
   found = gather_rows (plan, found);
   publish (found, true);
   if (! isempty (to_do))
-    found = follow_sweep (plan, found, to_do, engine, @publish);
+    found = follow_sweep (plan, found, to_do, engine, jobs, @publish);
   endif
   [found.columns, found.values] = deal (plan.columns, plan.values);
   tell_failures (plan, found);
@@ -38,7 +38,7 @@ function found = run_sweep (plan, refused, scene, count)
   endfunction
 
   function write (found, running, aside)
-    state = struct ("running", running, "engine", engine, "jobs", plan.settings.jobs, "seconds", toc (start));
+    state = struct ("running", running, "engine", engine, "jobs", jobs, "seconds", toc (start));
     write_sweep (plan, found, state, aside);
   endfunction
 endfunction
@@ -60,7 +60,7 @@ endfunction
 %!  plan.keys = arrayfun (@(k) sprintf ("k%d", k), 1:count, "uniformoutput", false);
 %!  [plan.columns, plan.values, plan.items] = deal ({"a"}, num2cell ((1:count).'), struct ("text", "u"));
 %!  plan.units = {" [m]"};
-%!  plan.settings = struct ("engine", "make", "jobs", 1, "keep", false);
+%!  plan.settings = struct ("engine", "make", "jobs", 1, "keep", false, "gather", false);
 %!  plan.about = struct ("observe", "u");
 %!  scene = struct ("title", "A rod", "duration", 1, "frames_per_second", 10, "frame_size", [1280 720]);
 %!  mkdir (fullfile (folder, "points")); write_text (fullfile (folder, "points", "k1.row"), "0.5\n");

@@ -21,6 +21,8 @@
 ## whether history.csv and summary.json of each point stay
 ## @item dry
 ## whether the commands are to be printed, and no more
+## @item gather
+## whether nothing is to be run, and the table made of what there is
 ## @item point
 ## the key of one point, under which its row is published (see @code{sweep_point})
 ## @end table
@@ -36,10 +38,11 @@ function fields = sweep_settings ()
     "table",   {},      "struct array, or cell array"
     "at",      "",      "text"
     "observe", "estimated_error_m", "text"
-    "engine",  "auto",  "\"auto\", \"parallel\" or \"make\""
-    "jobs",    nproc("current"), "positive number of processes"
+    "engine",  "auto",  "\"auto\", \"parallel\", \"make\" or \"slurm\""
+    "jobs",    [],      "positive number of processes"
     "keep",    false,   "true or false"
     "dry",     false,   "true or false"
+    "gather",  false,   "true or false"
     "point",   "",      "text"
   };
 endfunction

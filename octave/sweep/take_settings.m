@@ -28,7 +28,7 @@ endfunction
 %! [settings, options] = take_settings ({"modes", [0 1], "vary", "a=1", "jobs", 3, "solver", "rk4"});
 %! assert ({settings.vary, settings.jobs, settings.engine, settings.keep}, {"a=1", 3, "auto", false});
 %! assert (options, {"modes", [0 1], "solver", "rk4"});
-%!error <engine is "fast": it takes "auto", "parallel" or "make"> take_settings ({"engine", "fast"});
+%!error <engine is "fast": it takes "auto", "parallel", "make" or "slurm"> take_settings ({"engine", "fast"});
 %!error <random is 2.5: it takes a whole number> take_settings ({"random", 2.5});
 %!error <random is -2: it takes positive number of points> take_settings ({"random", -2});
 %!error <sweep: options come as names and values, in pairs> take_settings ({"vary"});
