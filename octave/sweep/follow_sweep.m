@@ -31,7 +31,7 @@ function found = follow_sweep (plan, found, to_do, engine, jobs, publish)
     endif
     show_progress ("");
     [~, ~] = unlink (job.log);
-    if (ended)
+    if (ended && ! strcmp (engine, "slurm"))  # its last job may be waiting
       [~, ~] = rmdir (folder, "s");
     endif
   end_unwind_protect

@@ -9,7 +9,10 @@ function command = gather_command (plan, folder)
   lines = cellfun (@(row) strjoin (row, ","), num2cell ([plan.columns; words], 2), "uniformoutput", false);
   file = fullfile (make_absolute_filename (folder), "points.csv");
   write_text (file, sprintf ("%s\n", lines{:}));
-  pictures = {"pictures", plan.pictures}(1:2*(plan.drawn || ! plan.pictures));
+  pictures = {};
+  if (plan.drawn || ! plan.pictures)
+    pictures = {"pictures", plan.pictures};
+  endif
   given = [{"over", file, "observe", plan.about.observe, "keep", plan.settings.keep}, pictures, ...
            {"output", make_absolute_filename(plan.folder), "gather", true}];
   root = fileparts (fileparts (which ("driver")));
