@@ -18,7 +18,7 @@
 ## @item engine, jobs
 ## what distributes the processes, and how many of them at a time
 ## @item keep
-## whether history.csv and summary.json of each point stay
+## whether the tables of each point stay, history.csv, summary.json and so on
 ## @item dry
 ## whether the commands are to be printed, and no more
 ## @item gather
