@@ -32,7 +32,8 @@
 ## history and points of a run (see @code{run_model}), and what else the kind has; history.residual is a drift of
 ## constraints
 ## @item tighter (solver, off)
-## the solver, with a smaller tolerance or another method, for a smaller energy balance than @var{off} (see @code{balanced_run})
+## the solver, with a smaller tolerance or another method, for a smaller energy balance than @var{off} (see
+## @code{balanced_run})
 ## @item dropped (scene, run, reference)
 ## what all models of the ladder drop: a struct of metres, x, y and bound (see @code{dropped_error}), or empty
 ## @item instead (scene)

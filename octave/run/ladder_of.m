@@ -8,8 +8,8 @@
 function ladder = ladder_of (kind, scene, left = @() Inf)
   ladder = kind.ladder (scene);
   solver = ladder.solver;
-  ladder.trial = @(rung, like) run_model (kind, scene, kind.build (scene, rung), setfield (solver, "seconds", left ()/3), ...
-                                          like);
+  in_time = @() setfield (solver, "seconds", left ()/3);
+  ladder.trial = @(rung, like) run_model (kind, scene, kind.build (scene, rung), in_time (), like);
   ladder.dropped = @(trial) dropped_metres (kind.dropped (scene, trial, trial));
 endfunction
 

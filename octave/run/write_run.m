@@ -88,8 +88,8 @@ endfunction
 %!  lines = @(name) strsplit (fileread (fullfile (folder, name)), "\n");
 %!  evalc ("driver ('paper', 'modes', [0 0], 'pictures', false, 'output', folder, 'dense', 1e3);");
 %!  assert (lines ("dense.csv"){1}, lines ("history.csv"){1});
-%!  assert (csvread (fullfile (folder, "dense.csv"), 1, 0)(1:20:end,:), csvread (fullfile (folder, "history.csv"), 1, 0), ...
-%!          1e-6);
+%!  table = @(name) csvread (fullfile (folder, name), 1, 0);
+%!  assert (table ("dense.csv")(1:20:end,:), table ("history.csv"), 1e-6);
 %!  evalc ("driver ('paper', 'modes', [0 0], 'pictures', false, 'output', folder);");
 %!  assert (exist (fullfile (folder, "dense.csv")), 0);  # it would be of another run
 %!endfunction

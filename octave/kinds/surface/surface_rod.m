@@ -33,8 +33,8 @@ function system = surface_rod (scene)
   system.duration = scene.duration;
   inside = surface_basis (scene, system.place, system.points);
   ends = surface_basis (scene, system.place, [0; r.length]);
-  system.fields = @(z, z_dot, z_ddot, stations) fields_of_basis (surface_basis (scene, system.place, stations), z, z_dot, ...
-                                                           z_ddot);
+  system.fields = @(z, z_dot, z_ddot, stations) fields_of_basis (surface_basis (scene, system.place, stations), z, ...
+                                                                 z_dot, z_ddot);
   system.residual = @(t, z, z_dot, z_ddot) residual (t, z, z_dot, z_ddot, inside, ends, system, scene);
   system.power = @(t, z, z_dot) sum (z_dot.*load_of (t, z, ends, system, scene), 1);
   system.mass_matrix = @(z) mass_matrix (z, inside, system, r);
