@@ -51,6 +51,7 @@ endfunction
 %!  said = in_scratch (@(folder, scratch) run_all (folder, engine, commands));
 %!  assert (sort (strsplit (strtrim (said), "\n")), {"$a it's #", "1"});
 %!endfunction
-%!test check ("make")  # all of them, beside one that fails
-%!testif ; system ("parallel --version 2>/dev/null | grep -q '^GNU parallel'") == 0
-%! check ("parallel");
+%!test # all of them, beside one that fails, by what is here
+%! for engine = unique ({"make", engine_here("auto", 2)})
+%!   check (engine{1});
+%! endfor
