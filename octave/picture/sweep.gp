@@ -8,6 +8,7 @@ set y2range [0:1]
 set xlabel names[1] noenhanced
 if (logs[1]) { set logscale x; set format x "10^{%L}" }
 if (fields == 2) {
+  if (!logs[1]) { set xtics step }
   set ylabel names[2] noenhanced
   if (logs[2]) { set logscale y; set format y "10^{%L}" }
   unset grid

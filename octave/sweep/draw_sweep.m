@@ -16,6 +16,7 @@ function job = draw_sweep (sweep, title, scratch)
   settings = struct ("title", title, "names", {sweep.names}, "texts", {sweep.texts(shown)}, "fields", axes, ...
                      "grid", axes == 2 && is_grid (x), "across", columns, "down", ceil (numel (shown)/columns), ...
                      "finer", {num2cell(arrayfun (@(j) ceil (30/numel (unique (x(:,j)))), 1:axes))}, ...
+                     "step", step_of (x(:,1)), ...
                      "logs", {num2cell(double (arrayfun (@(j) is_wide (x(:,j)), 1:axes)))});
   text = gnuplot_settings (settings);
   for k = 1:numel (shown)
@@ -30,6 +31,14 @@ endfunction
 function yes = is_grid (x)
   lists = {unique(x(:,1)), unique(x(:,2))};
   yes = rows (x) == numel (lists{1})*numel (lists{2}) && rows (unique (x, "rows")) == rows (x);
+endfunction
+
+## of five tics at most, which a narrow panel has room for
+function step = step_of (x)
+  step = 1;
+  if (range (x) > 0)
+    step = tic_step ([min(x), max(x)], 5);
+  endif
 endfunction
 
 function yes = is_wide (x)
