@@ -8,7 +8,7 @@
 function [scene, output] = scene_at (which, options, columns, values)
   places = str2double (regexp (columns, '(?<=^argument\.)\d+$', "match", "once"));
   arguments = cell (1, max ([0, places]));
-  for k = find (isfinite (places))
+  for k = find (isfinite (places))(:).'
     if (! isnumeric (values{k}))
       scene_error ("%s is \"%s\": it takes a number", columns{k}, values{k});
     endif
@@ -16,7 +16,7 @@ function [scene, output] = scene_at (which, options, columns, values)
   endfor
   [scene, name] = load_scene (which, arguments);
   [scene, output] = take_options (scene, "", options);
-  for k = find (isnan (places))
+  for k = find (isnan (places))(:).'
     scene = with_field (scene, columns{k}, values{k});
   endfor
   if (isempty (field_or (scene, "title", "")))
