@@ -12,7 +12,7 @@
 ## @end deftypefn
 
 function found = campbell (scene = "spin_up", varargin)
-  [speeds, options] = taken_option (varargin, "speeds", [], @are_speeds, "rising angular velocities in rad/s");
+  [speeds, options] = taken_option (varargin, "speeds", [], @are_rising, "rising angular velocities in rad/s");
   [scene, kind, output] = study_scene (scene, options);
   if (! strcmp (kind.name, "rod"))
     scene_error ("campbell takes one rod in a hub or at a hinge, not a scene of the kind \"%s\"", kind.name);
@@ -32,10 +32,6 @@ function found = campbell (scene = "spin_up", varargin)
   if (nargout > 0)
     found = result;
   endif
-endfunction
-
-function good = are_speeds (speeds)
-  good = isreal (speeds) && isvector (speeds) && all (isfinite (speeds)) && all (diff (speeds) > 0) && speeds(1) >= 0;
 endfunction
 
 function speed = highest_speed (scene)

@@ -6,7 +6,8 @@
 ## @end deftypefn
 
 function film_mode (output, scene, found, mode, title)
-  files = arrayfun (@(kind) sprintf ("mode_%d.%s", mode, kind{1}), {"mp4", "gif"}, "uniformoutput", false);
+  name = sprintf ("mode_%d", mode);
+  files = strcat (name, {".mp4", ".gif"});
   step = found.linear.basis*found.vibrations.shape(:,mode);
   [rest, ~, ahead] = pushed_lines (found.balance, found.q, step);
   missing = cell (0, 2);
@@ -21,9 +22,9 @@ function film_mode (output, scene, found, mode, title)
     if (isempty (missing))
       missing = make_film (frames, drawing.frames_per_second, aside);
     endif
-    missing(:,1) = strrep (missing(:,1), "animation", sprintf ("mode_%d", mode));
-    for name = setdiff (files, missing(:,1))
-      rename (fullfile (aside, strrep (name{1}, sprintf ("mode_%d", mode), "animation")), fullfile (aside, name{1}));
+    missing(:,1) = strrep (missing(:,1), "animation", name);
+    for file = setdiff (files, missing(:,1))
+      rename (fullfile (aside, strrep (file{1}, name, "animation")), fullfile (aside, file{1}));
     endfor
   endfunction
 endfunction

@@ -11,8 +11,7 @@
 
 function found = frequency_response (scene = "paper", varargin)
   [f, options] = taken_option (varargin, "frequencies", [], @are_rising, "rising frequencies in Hz");
-  [checked, ~, output] = study_scene (scene, without_outputs (options), @scene_at_rest);
-  model = linear_model (scene, options{:});
+  [model, scene, output] = linear_model (scene, options{:});
   if (isempty (model.inputs))
     scene_error (["the scene has neither loads nor prescribed motions: a joint of the kind \"force\" with the" ...
                   " value [0 0], say, is an input"]);
@@ -29,19 +28,10 @@ function found = frequency_response (scene = "paper", varargin)
   endif
   publish_study (output, {"response.csv"}, {"response.svg", "response.png"}, ...
                  @(aside) write_response (result, aside), ...
-                 @(scratch) draw_response (result, checked.title, scratch));
+                 @(scratch) draw_response (result, scene.title, scratch));
   if (nargout > 0)
     found = result;
   endif
-endfunction
-
-function good = are_rising (f)
-  good = isreal (f) && isvector (f) && all (isfinite (f)) && all (diff (f) > 0) && f(1) >= 0;
-endfunction
-
-function options = without_outputs (options)
-  at = find (strcmp (options(1:2:end), "outputs") | strcmp (options(1:2:end), "time"));
-  options([2*at - 1, 2*at]) = [];
 endfunction
 
 function f = spread_frequencies (values)

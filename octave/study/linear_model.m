@@ -1,5 +1,6 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{model} =} linear_model (@var{scene}, @var{option}, @var{value}, @dots{})
+## @deftypefn {} {[@var{model}, @var{scene}, @var{output}] =} linear_model (@var{scene}, @var{option}, @var{value}, @
+##   @dots{})
 ## The equations of a scene of any kind linear about the equilibrium that it comes to (see @code{statics}, also for the
 ## arguments), with named inputs and outputs: a struct of M, C, G and K (p-by-p: M y'' + (C + G) y' + K y = F u; C
 ## symmetric, G skew), F, basis (n-by-p, of the coordinates q by y), and of the same as x' = A x + B u, z = C_out x + D
@@ -8,18 +9,18 @@
 ## inputs (cellstr) are the components of forces and moments; of prescribed places and angles (driven) it is their
 ## acceleration (per s^2), and they and their rates are the last states, after y and y'. outputs (cellstr) are columns
 ## of history.csv, measured from their values at rest (rest): the option "outputs" has their names without units, by
-## default all of places and angles, "tip_*", "mid_*", "psi*", and reactions.
+## default all of places and angles, "tip_*", "mid_*", "psi*", and reactions.  @var{scene} and @var{output} are those of
+## @code{study_scene}.
 ##
 ## @example
 ## model = linear_model ("two_link_arm"); # sys = ss (model.A, model.B, model.C_out, model.D);
 ## @end example
 ## @end deftypefn
 
-function model = linear_model (scene = "paper", varargin)
-  [time, options] = taken_option (varargin, "time", 0, @(t) isscalar (t) && isreal (t) && isfinite (t) && t >= 0, ...
-                                  "a time in s, not negative");
+function [model, scene, output] = linear_model (scene = "paper", varargin)
+  [time, options] = taken_time (varargin);
   [wanted, options] = wanted_outputs (options);
-  [scene, kind] = study_scene (scene, options, @scene_at_rest);
+  [scene, kind, output] = study_scene (scene, options, @scene_at_rest);
   found = at_rest (kind, scene, time, @(found) found.vibrations.omega(1:min (end, 6)));
   [unit, model.inputs, model.driven] = unit_inputs (scene, time);
   unit.duration = numel (model.inputs) + 1;

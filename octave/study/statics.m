@@ -19,8 +19,7 @@
 ## @end deftypefn
 
 function found = statics (scene = "paper", varargin)
-  [time, options] = taken_option (varargin, "time", 0, @(t) isscalar (t) && isreal (t) && isfinite (t) && t >= 0, ...
-                                  "a time in s, not negative");
+  [time, options] = taken_time (varargin);
   [factors, options] = taken_option (options, "factor", [], @are_factors, ...
                                      "two rising numbers or more, FACTOR=0:0.05:2");
   [scene, kind, output, left] = study_scene (scene, options, @scene_at_rest);

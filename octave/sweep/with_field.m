@@ -12,11 +12,11 @@ function given = changed (given, path, value, name)
   part = regexp (path{1}, '\w+', "match");
   field = part{1};
   if (numel (part) == 1)
-    given.(field) = within (field_or_nothing (given, field), path, value, name);
+    given.(field) = within (field_or (given, field, []), path, value, name);
     return;
   endif
   k = str2double (part{2});
-  list = field_or_nothing (given, field);
+  list = field_or (given, field, []);
   if (k > numel (list))
     scene_error ("%s: the scene has %d %s", name, numel (list), field);
   elseif (iscell (list))
@@ -35,13 +35,6 @@ function new = within (old, path, value, name)
       scene_error ("%s: what is before .%s is a %s, not a struct", name, path{2}, class (old));
     endif
     new = changed (old, path(2:end), value, name);
-  endif
-endfunction
-
-function value = field_or_nothing (given, field)
-  value = [];
-  if (isfield (given, field))
-    value = given.(field);
   endif
 endfunction
 
