@@ -26,7 +26,7 @@ function found = load_path (kind, scene, t, factors, left = @() Inf)
   is_event = ! cellfun (@isempty, {points.event});
   found.event = cumsum (is_event).*is_event;
   found.events = struct ("factor", {}, "what", {}, "mode", {});
-  for k = find (is_event)(:).'
+  for k = find (is_event)
     [~, ~, mode] = pushed_lines (path.balance, points(k).x(1:end-1), points(k).turns);
     found.events(end+1) = struct ("factor", found.factor(k), "what", points(k).event, "mode", {mode});
   endfor

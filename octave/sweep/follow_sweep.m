@@ -22,7 +22,7 @@ function found = follow_sweep (plan, found, to_do, engine, jobs, publish)
   unwind_protect
     found = watch (plan, found, job.pid, publish, strcmp (engine, "slurm"));
     ended = true;
-    for k = find (! found.done & cellfun (@isempty, found.message))(:).'
+    for k = find (! found.done & cellfun (@isempty, found.message))
       found.message{k} = ["its process ended and did not say why: " last_words(job.log)];
     endfor
   unwind_protect_cleanup

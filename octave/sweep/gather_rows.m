@@ -8,13 +8,13 @@
 function found = gather_rows (plan, found)
   points = fullfile (plan.folder, "points");
   there = readdir (points);
-  for k = find (! found.done & ismember (strcat (plan.keys, ".row"), there.'))(:).'
+  for k = find (! found.done & ismember (strcat (plan.keys, ".row"), there.'))
     text = fileread (fullfile (points, [plan.keys{k} ".row"]));
     found.observed(k,:) = ostrsplit (text(1:end-1), "\n");
     found.done(k) = true;
     found.message{k} = "";
   endfor
-  for k = find (cellfun (@isempty, found.message) & ismember (strcat (plan.keys, ".failed"), there.'))(:).'
+  for k = find (cellfun (@isempty, found.message) & ismember (strcat (plan.keys, ".failed"), there.'))
     found.message{k} = strtrim (fileread (fullfile (points, [plan.keys{k} ".failed"])));
   endfor
 endfunction

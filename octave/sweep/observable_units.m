@@ -13,7 +13,7 @@ function [units, count] = observable_units (scene, items)
   [bare, unit] = strtok (names, " ");
   of_summary = strcmp ({items.part}, "summary");
   arrayfun (@(item) observed_value (item, {}, [], summary), items(of_summary), "uniformoutput", false);
-  for k = find (! of_summary)(:).'
+  for k = find (! of_summary)
     row = find (strcmp (any_number (items(k).name), any_number (bare)), 1);
     if (isempty (row))
       scene_error ("OBSERVE: history.csv has no column %s: those are %s", items(k).name, strjoin (bare, ", "));

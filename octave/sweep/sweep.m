@@ -45,7 +45,7 @@ endfunction
 
 ## what a shell takes as it is
 function print_commands (plan, refused)
-  for k = find (! plan.done)(:).'
+  for k = find (! plan.done)
     if (isempty (refused{k}))
       printf ("%s\n", plan.command (k));
     else
