@@ -8,7 +8,7 @@
 function [scene, output] = scene_at (which, options, columns, values)
   places = str2double (regexp (columns, '(?<=^argument\.)\d+$', "match", "once"));
   arguments = cell (1, max ([0, places]));
-  for k = find (isfinite (places))(:).'
+  for k = find (isfinite (places))(:).'  # of 0-by-0 places Octave 11 would go round once
     if (! isnumeric (values{k}))
       scene_error ("%s is \"%s\": it takes a number", columns{k}, values{k});
     endif

@@ -12,7 +12,7 @@ function [settings, options] = take_settings (options)
   names = options(1:2:end);
   own = cellfun (@ischar, names) & ismember (cellfun (@char, names, "uniformoutput", false), fields(:,1));
   given = struct ();
-  for k = find (own)(:).'
+  for k = find (own)(:).'  # of 0-by-0 Octave 11 would go round once
     given.(names{k}) = options{2*k};
   endfor
   settings = take_fields (given, fields, "a sweep");
