@@ -42,6 +42,8 @@
 ## warnings that are known before the run, a cellstr
 ## @item describe (scene, run)
 ## the summary's own fields, of which model is a text
+## @item limits (scene, run)
+## what the model holds for, and how much of it the run takes: a struct array of what, limit and reached
 ## @item warnings (scene, run)
 ## where the run leaves what its model holds for, a cellstr
 ## @item columns (scene, run)

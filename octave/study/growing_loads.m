@@ -6,10 +6,12 @@
 ## @end deftypefn
 
 function scene = growing_loads (scene, t)
-  acts = false;
+  if (! any (cellfun (@(load) any (at_times (load, t)), acting_loads (scene))))
+    scene_error (["the scene has no force and no moment at t = %g s that a factor could multiply: state one, or" ...
+                  " another time, TIME=1 say"], t);
+  endif
   for name = intersect ({"moment", "tip_moment", "force"}, fieldnames (scene).')
     now = at_times (scene.(name{1}), t);
-    acts |= any (now(:));
     scene.(name{1}) = @(factor) factor*now;
   endfor
   if (isfield (scene, "joints"))
@@ -17,14 +19,9 @@ function scene = growing_loads (scene, t)
       now = scene.joints(k).value (t);
       scene.joints(k).value = @(factor) now;
       if (any (strcmp (scene.joints(k).kind, {"moment", "force"})))
-        acts |= any (now(:));
         scene.joints(k).value = @(factor) factor*now;
       endif
     endfor
-  endif
-  if (! acts)
-    scene_error (["the scene has no force and no moment at t = %g s that a factor could multiply: state one, or" ...
-                  " another time, TIME=1 say"], t);
   endif
 endfunction
 

@@ -3,15 +3,18 @@
 ## Where explicit methods turn unstable on a scene's own equations: the limit of step times highest frequency about the
 ## scene's start (see @code{highest_mode}) and the step that follows, and where the amplitude grows by a hundredth in a
 ## step, predicted by the method's stability function and measured on the nonlinear equations (of a mechanism: those of
-## its accelerations).  Arguments as for @code{driver}; the model is what a run would take.
+## its accelerations); the largest mean step of adaptive methods; and the limits of the model itself (see
+## @code{model_limits}).  Arguments as for @code{driver}; the model is what a run would take.
 ##
 ## Leaves stability.csv, stability.svg and stability.png in the folder of the scene's output.  @var{table} is a struct
 ## array of method, what, predicted and measured, as from @code{stability}.
 ## @end deftypefn
 
 function table = scene_stability (scene = "paper", varargin)
+  [rest, rest_kind, ~, left] = study_scene (scene, varargin, @scene_at_rest);
   [scene, kind, output] = study_scene (scene, varargin);
-  system = at_rates (kind.system (scene, chosen_model (kind, scene)));
+  [model, choice] = chosen_model (kind, scene);
+  system = at_rates (kind.system (scene, model));
   mode = struct ("omega", 0);
   if (rows (system.mass) > 0)
     mode = highest_mode (system);
@@ -20,7 +23,7 @@ function table = scene_stability (scene = "paper", varargin)
     scene_error ("nothing oscillates: stability takes a model that bends, MODES=\"0 2\" say");
   endif
   printf ("  highest frequency about the start: %.6g rad/s\n", mode.omega);
-  found = struct ([]);
+  found = [told(load_limits (rest_kind, rest, left)), told(model_limits (kind, scene, model, choice.trial, left))];
   curves = {};
   exact = true_amplitudes (system, mode);
   for method = explicit_methods (system)
@@ -71,9 +74,33 @@ function [rows, curve] = limits_of (system, mode, name, exact)
   rows = struct ("method", name, "what", {"h omega at which a step lets the amplitude grow by 1 %", ...
                                           "limit of h omega", "limit of the step [s]"}, ...
                  "predicted", {beyond, limit, limit/mode.omega}, "measured", {measured, NaN, NaN});
+  table = integrator_table (system.forms);
+  if (table(strcmp ({table.name}, name)).adaptive)
+    rows(end+1) = struct ("method", name, "what", sprintf ("mean h omega at a loose tolerance (limit %.4g)", limit), ...
+                          "predicted", NaN, "measured", wall (system, mode, name));
+  endif
+  told (rows);
+endfunction
+
+function rows = told (rows)
   for row = rows
     printf ("  %-20s %-58s %12.6g %12.6g\n", row.method, row.what, row.predicted, row.measured);
   endfor
+endfunction
+
+## the mean step times the frequency that no tolerance lets an adaptive method pass, NaN where it fails
+function h_omega = wall (system, mode, name)
+  seconds = 400/mode.omega;
+  system.initial_state += mode.shape;  # a micrometre
+  h_omega = NaN;
+  try
+    [~, count] = integrate (system, [0, seconds], struct ("name", name, "tolerance", 1));
+    h_omega = seconds/count.steps*mode.omega;
+  catch err
+    if (! strcmp (err.identifier, "toolchain:integration"))
+      rethrow (err);
+    endif
+  end_try_catch
 endfunction
 
 ## of the highest mode's amplitude in 20 steps, beside what the same time does to it
@@ -133,9 +160,11 @@ endfunction
 %!   folder = tempname (); confirm_recursive_rmdir (false, "local");
 %!   unwind_protect
 %!     evalc ("table = scene_stability (scene{1}, 'output', folder);");
-%!     limits = table(isfinite ([table.measured]));
-%!     assert ([limits.measured], [limits.predicted], -0.01);
-%!     assert (numel (limits) >= 3);
+%!     grown = table(strncmp ({table.what}, "h omega at which", 16));
+%!     assert ([grown.measured], [grown.predicted], -0.01);
+%!     assert (numel (grown) >= 3);
+%!     walls = table(strncmp ({table.what}, "mean h omega", 12));  # beyond the limit it grows, first slowly
+%!     assert ([walls.measured]./cellfun (@stability_limit, {walls.method}), 1.2*ones (size (walls)), 0.45);
 %!     assert (stat (fullfile (folder, "stability.png")).size > 10000);
 %!   unwind_protect_cleanup
 %!     rmdir (folder, "s");

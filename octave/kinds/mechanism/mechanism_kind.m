@@ -22,6 +22,7 @@ function kind = mechanism_kind ()
   kind.instead = @(scene) welded_rods ();
   kind.foreseen = @(scene, model) {};
   kind.describe = @describe_mechanism;
+  kind.limits = @limits_of_bodies;
   kind.warnings = @body_warnings;
   kind.columns = @mechanism_columns;
   kind.drawing = @(scene, run) mechanism_drawing (scene, run.model, run.history);
@@ -31,6 +32,16 @@ function kind = mechanism_kind ()
   kind.sized = @model_of_size;
   kind.at_rest = @mechanism_at_rest;
   kind.reference = {"radau", 1e-12};
+endfunction
+
+function limits = limits_of_bodies (scene, run)
+  limits = struct ("what", {}, "limit", {}, "reached", {});
+  for k = 1:numel (scene.bodies)
+    own = rod_limits (scene.bodies(k), run.model.models{k}, run.history.bodies(k), 0.3);
+    for limit = own
+      limits(end+1) = setfield (limit, "what", [scene.bodies(k).name ": " limit.what]);
+    endfor
+  endfor
 endfunction
 
 ## whose joints are springs and loads, with dampers that leave its modes apart; a curved one may have none

@@ -6,7 +6,7 @@
 
 function scene = scene_at_rest (given)
   scene = given;
-  if (! isstruct (given) || isfield (given, "surface"))
+  if (! isstruct (given) || ! any (strcmp (kind_of (given).name, {"rod", "mechanism"})))
     return;
   endif
   if (! isfield (given, "joints"))

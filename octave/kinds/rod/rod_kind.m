@@ -20,6 +20,7 @@ function kind = rod_kind ()
   kind.instead = @instead_of_rod;
   kind.foreseen = @spin_warning;
   kind.describe = @describe_rod;
+  kind.limits = @(scene, run) rod_limits (scene, run.model, run.history, 0.2);
   kind.warnings = @(scene, run) validity_warnings (scene, run.model, run.history);
   kind.columns = @rod_columns;
   kind.drawing = @(scene, run) setfield (rod_drawing (scene, run.model, run.history), "spectrum", ...

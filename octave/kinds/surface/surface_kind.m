@@ -20,6 +20,7 @@ function kind = surface_kind ()
   kind.instead = @(scene) "";
   kind.foreseen = @(scene, model) {};
   kind.describe = @describe_surface;
+  kind.limits = @(scene, run) struct ("what", "axial strain", "limit", 0.05, "reached", run.history.largest_strain);
   kind.warnings = @(scene, run) [pull_warning(run.history, scene), strain_warning(run.history.largest_strain)];
   kind.columns = @surface_columns;
   kind.drawing = @(scene, run) surface_drawing (run.model, scene, run.history);

@@ -22,6 +22,7 @@ function kind = string_kind ()
   kind.instead = @(scene) "";
   kind.foreseen = @(scene, model) {};
   kind.describe = @(scene, run) struct ("model", ["a string of " name_of(run.model.elements)]);
+  kind.limits = @(scene, run) [];
   kind.warnings = @(scene, run) {};
   kind.columns = @columns_of;
   kind.drawing = @drawing_of;
