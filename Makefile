@@ -47,7 +47,7 @@ help:
 		'[FREQUENCIES=0:0.1:50]: table and figure'
 	@echo 'make sweep       a scene at many points: table and chart' \
 		'[SCENE=swing VARY="rod.length=0.2:0.1:1" OBSERVE="max|tip_y|" ENGINE=parallel JOBS=2 KEEP=yes DRY=yes]'
-	@echo 'make choices     all scenes that choose and 60 random ones: chosen models against far richer ones'
+	@echo 'make choices     all scenes that choose and 198 random ones: chosen models against far richer ones'
 	@echo 'make conditioning    condition number of the mass matrix of arcs against the number of base functions: table'
 	@echo 'make map         the folders of octave/ and the calls between them: output/map.svg, .png' \
 		'[FUNCTION=rod_rates ARGUMENT=phi: where that comes from]'
@@ -100,7 +100,7 @@ point:
 	@OMP_NUM_THREADS=1 $(run_octave) --eval 'source octave/toolchain_path.m; command = @sweep_point; $(run_with_settings)'
 
 choices:
-	@$(run_octave) --eval 'source octave/toolchain_path.m; verify_choices (shipped_and_random (20, 40));'
+	@$(run_octave) --eval 'source octave/toolchain_path.m; verify_choices (shipped_and_random (60, 80, 30, 28), fullfile ("output", "choices"));'
 
 conditioning:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; conditioning ();'

@@ -1,16 +1,19 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{table} =} verify_choices (@var{scenes})
+## @deftypefn {} {@var{table} =} verify_choices (@var{scenes}, @var{folder})
 ## Is what a run says of its error true?  The model that each of the @var{scenes} (names or structs in a cell array, of
 ## any kind) gets is compared with @code{far_richer}: the true error must be within the tolerance, and the estimate 0.3
 ## to 10 times it (or it is below a twentieth of the tolerance); the smaller models of one straight rod must miss the
 ## tolerance.  Prints a line a scene and a closing count; scenes that state their model are left out.
 ##
-## @var{table} is a struct array of name, error, estimate, smaller (in tolerances), good and seconds (of the run and of
-## the richer one).
+## Leaves choices.csv, choices.svg and choices.png in the @var{folder} (none by default).  @var{table} is a struct array
+## of name, kind, error, estimate, smaller (in tolerances), good and seconds (of the run and of the richer one).
 ## @end deftypefn
 
-function table = verify_choices (scenes)
-  table = struct ("name", {}, "error", {}, "estimate", {}, "smaller", {}, "good", {}, "seconds", {});
+function table = verify_choices (scenes, folder = "")
+  if (! isempty (folder))
+    require_folder (folder);
+  endif
+  table = struct ("name", {}, "kind", {}, "error", {}, "estimate", {}, "smaller", {}, "good", {}, "seconds", {});
   for which = scenes
     row = verify_choice (which{1});
     if (! isempty (row))
@@ -20,6 +23,10 @@ function table = verify_choices (scenes)
   endfor
   printf ("%d of %d scenes are as promised, the largest error is %.2g tolerances\n", sum ([table.good]), ...
           numel (table), max ([table.error, 0]));
+  if (! isempty (folder))
+    publish_study (struct ("folder", folder, "pictures", true), {"choices.csv"}, {"choices.svg", "choices.png"}, ...
+                   @(aside) write_choices (table, aside), @(scratch) draw_choices (table, scratch));
+  endif
 endfunction
 
 function row = verify_choice (which)
@@ -39,25 +46,26 @@ function row = verify_choice (which)
     true_error = distance (result, reference);
     smaller = smaller_error (result, reference);
   catch err
-    row = struct ("name", sprintf ("%s: %s", name, strtrim (err.message)), "error", Inf, "estimate", NaN, ...
+    row = struct ("name", sprintf ("%s: %s", name, strtrim (err.message)), "kind", "none", "error", Inf, "estimate", NaN, ...
                   "smaller", NaN, "good", false, "seconds", [toc(start), 0]);
     return;
   end_try_catch
   tolerance = result.summary.tolerance_m;
   estimate = result.summary.estimated_error_m;
   honest = (estimate >= 0.3*true_error && estimate <= 10*true_error) || true_error < tolerance/20;
-  row = struct ("name", sprintf ("%s: %s", name, result.summary.model), "error", true_error/tolerance, ...
+  row = struct ("name", sprintf ("%s: %s", name, result.summary.model), "kind", kind_of (scene).name, ...
+                "error", true_error/tolerance, ...
                 "estimate", estimate/tolerance, "smaller", smaller/tolerance, "good", ...
                 true_error <= tolerance && honest && ! (smaller < 0.95*tolerance), ...
                 "seconds", [seconds, toc(start) - seconds]);
 endfunction
 
-## of the next smaller models of one straight rod (m); of others NaN
+## of the next smaller models of one straight rod (m); NaN for others
 function metres = smaller_error (result, reference)
   metres = NaN;
   kind = kind_of (result.scene);
   ladder = ladder_of (kind, result.scene);
-  if (! strcmp (kind.name, "rod") || ! ismember ("stiffening", ladder.parts))
+  if (! iscellstr (ladder.parts) || ! ismember ("stiffening", ladder.parts))
     return;
   endif
   for part = ladder.parts

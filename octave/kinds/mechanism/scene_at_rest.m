@@ -6,7 +6,7 @@
 
 function scene = scene_at_rest (given)
   scene = given;
-  if (! isstruct (given) || ! any (strcmp (kind_of (given).name, {"rod", "mechanism"})))
+  if (! isstruct (given) || isfield (given, "surface") || ! any (isfield (given, {"rod", "bodies"})))
     return;
   endif
   if (! isfield (given, "joints"))
