@@ -28,15 +28,15 @@ function scene = drawn_scene ()
   rod.damping = (rand () < 0.3)*1e-5;
   switch (ceil (3*rand ()))
     case 1
-      rod.curvature = turn/l;
+      curvature = turn/l;
     case 2
       straight = l*between (0.2, 0.7);
-      rod.curvature = @(xi) turn/(l - straight)*(xi > straight);
+      curvature = @(xi) turn/(l - straight)*(xi > straight);
       rod.curvature_breaks = straight;
     case 3
-      rod.curvature = @(xi) 2*turn*xi/l^2;
+      curvature = @(xi) 2*turn*xi/l^2;
   endswitch
-  scene.rod = rod;
+  scene.rod = setfield (rod, "curvature", curvature);
   scene.model.energy = "uniaxial";
   period = 2*pi/15.42*l^2*sqrt (rhoA/EI);
   scene.gravity = min (9.81, between (0.001, 0.1)*EI/(rhoA*l^3));
