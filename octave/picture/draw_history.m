@@ -78,14 +78,14 @@ endfunction
 %!endfunction
 %!function hold_lines (text, lines)
 %!  for line = lines
-%!    assert (numel (strfind (["\n" text], ["\n" line{1} "\n"])), 1, line{1});
+%!    assert (numel (strfind (["\n" text], ["\n" line{1} "\n"])) == 1, "%s", line{1});
 %!  endfor
 %!endfunction
 %!test # the figures that gnuplot gets: breaks within the time, the longest name, five decades, tics of a spectrum
 %! drawing = sample_drawing (20);
 %! drawing.moment_breaks = [drawing.time(1), 0.1, 0.3, drawing.time(end), 99];
 %! files = in_scratch (@(folder, scratch) files_of (drawing, scratch));
-%! hold_lines (files.settings, {"break_count = 2", "array breaks[2] = [0.1, 0.3]", "spectrum = 0", "panels = 4", ...
+%! hold_lines (files.settings, {"break_count = 2", "array breaks[2] = [0.1, 0.3]", "spectrum = 0", "panels = 5", ...
 %!                              "longest_name = 14"});
 %! hold_lines (files.panel_1, {sprintf("label = '%s'", scaled_panel (drawing.panels(1)))});
 %! data = str2num (regexp (files.panel_1, '<< END\n(.*?)\nEND', "tokens", "once"){1});

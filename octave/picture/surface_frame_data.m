@@ -34,7 +34,7 @@ endfunction
 %! drawing.surface.azimuth = [0 90 180 300];
 %! text = surface_frame_data (drawing, [1 3], "a");
 %! for line = {"name = 'a'", "elevation = 55", "azimuth = 270", ["clock = '" clock_text(drawing, 3) "'"]}
-%!   assert (numel (strfind (text, [line{1} "\n"])), 1, line{1});
+%!   assert (numel (strfind (text, [line{1} "\n"])) == 1, "%s", line{1});
 %! endfor
 %! assert (! isempty (strfind (surface_frame_data (drawing, 4, "a"), "azimuth = 30\n")));
 %! block = @(text, name) regexp (text, ['\$' name ' << END\n(.*?)\nEND'], "tokens", "once"){1};

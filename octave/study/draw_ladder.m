@@ -56,7 +56,7 @@ endfunction
 %!             "title_size = 6.5", "array counts[2] = [1, 1]", "$ode45 << EOD\n8 1e-06 \"7\"\nEOD", ...
 %!             "$chosen << EOD\n4 1e-05 \"5\"\nEOD", "$curve_1 << EOD\n4 1e-05 \"5\"\nEOD", ...
 %!             "$curve_2 << EOD\n2 0.001 \"3\"\nEOD"}
-%!   assert (numel (strfind (text, [part{1} "\n"])), 1, part{1});
+%!   assert (numel (strfind (text, [part{1} "\n"])) == 1, "%s", part{1});
 %! endfor
 %! scene.title = "";
 %! text = in_scratch (@(folder, scratch) settings_of (table(1), scene, scratch));

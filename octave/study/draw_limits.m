@@ -41,7 +41,7 @@ endfunction
 %! text = in_scratch (@(folder, scratch) settings_of (curves, "A rod", 1e4, scratch));
 %! for part = {"title = 'A rod'", "array methods[1] = ['rk4']", "array limits[1] = [2.83]", "omega = 10000", ...
 %!             "$measured_1 << END\n1 1.25 \n2.9 1.125 \nEND"}
-%!   assert (numel (strfind (text, [part{1} "\n"])), 1, part{1});
+%!   assert (numel (strfind (text, [part{1} "\n"])) == 1, "%s", part{1});
 %! endfor
 %! points = str2num (regexp (text, '\$predicted_1 << END\n(.*?)\nEND', "tokens", "once"){1});
 %! assert (size (points), [200 2]); assert (points([1 end],1), [0.02; 3.19], 1e-9);
