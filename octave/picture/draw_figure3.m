@@ -51,6 +51,7 @@ endfunction
 %!endfunction
 %!test # thirteen even times with their outlines and rests, from the first frame to the last
 %! drawing = sample_drawing (25);
+%! drawing.time += 3;
 %! text = in_scratch (@(folder, scratch) settings_of (drawing, scratch));
 %! value = @(name) str2num (regexp (text, ['(?<=\n)' name ' = ([^\n]*)'], "tokens", "once"){1});
 %! assert (value ("outlines"), 13); assert (value ("array times\\[13\\]"), drawing.time(1:2:25), 1e-9);

@@ -22,3 +22,6 @@ endfunction
 %! assert (second, first); assert (numel (trials), 1);
 %! [~, trials] = run_once (ladder, 4, trials);
 %! assert (numel (trials), 2);
+%! ladder.trial = @(n, like) struct ("x", n, "y", [like.x]);
+%! [third, trials] = run_once (ladder, 5, trials);
+%! assert (third.y, 4);  # led by the last one alone

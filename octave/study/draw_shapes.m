@@ -43,3 +43,11 @@ endfunction
 %!     rmdir (folder, "s");
 %!   end_unwind_protect
 %! endfor
+%!function text = settings_of (panels, scratch)
+%!  finish_tool (draw_shapes ("modes", panels, struct ("title", "A rod"), scratch));
+%!  text = fileread (fullfile (scratch, "settings.gp"));
+%!endfunction
+%!test # all shapes fit, with room of 8 % of the larger extent
+%! panels = struct ("title", "1", "faint", {{[-1 5; 3 6]}}, "strong", {{[0 4; 2 9]}});
+%! text = in_scratch (@(folder, scratch) settings_of (panels, scratch));
+%! assert (! isempty (strfind (text, "x_low = -1.4\nx_high = 3.4\ny_low = 3.6\ny_high = 9.4\n")), text);

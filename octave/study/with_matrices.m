@@ -48,3 +48,4 @@ endfunction
 %! model = with_matrices (model, found, [1 0; 0 0], [0 0; 0 1], by);
 %! assert (model.A, [0 1 0 0; -5/2 0 3/2 0; 0 0 0 1; 0 0 0 0]); assert (model.B, [0 0; 1/2 0; 0 0; 0 1]);
 %! assert ({model.F, model.C_out, model.D}, {[1 0], [1 0 0 0], [0 0]});
+%! assert (model.basis, found.linear.basis);

@@ -39,3 +39,11 @@ endfunction
 %!                 "model", struct ("modes", [4 4]));
 %! system = surface_rod (check_surface_scene (scene));
 %! assert (system.initial_state(1:system.n), zeros (system.n, 1));
+%!test # what a load will be later is not what stretches it at the start
+%! scene = struct ("surface", struct ("name", "plane", "inclination", pi/2, "side", 0), "duration", 1, ...
+%!                 "rod", struct ("length", 2, "EA", 1e6, "EI", 1, "rhoA", 3), "ends", {{"hinge", "free"}}, ...
+%!                 "gravity", 10, "initial", struct ("angle", -pi/2), "model", struct ("modes", [4 4]));
+%! scene.force = @(t) [0, 0, -1e7*t];
+%! scene.solver.tolerance = 1e-2;
+%! system = surface_rod (check_surface_scene (scene));
+%! assert (system.size (system.initial_state(1:system.n)), 3*10*2^2/(2*1e6), 1e-8);
