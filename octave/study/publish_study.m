@@ -1,11 +1,11 @@
 ## -*- texinfo -*-
-## @deftypefn {} {} publish_study (@var{output}, @var{numbers}, @var{pictures}, @var{write}, @var{draw})
+## @deftypefn {} {} publish_study (@var{output}, @var{numbers}, @var{pictures}, @var{write}, @var{draw}, @dots{})
 ## Leave what a study has found in the folder of @var{output} (see @code{take_options}), and say what is there: the
 ## files of @var{numbers} (cellstr), which @var{write} (folder) writes, first; then those of @var{pictures} (cellstr),
-## which @var{draw} (scratch) starts to draw, see @code{draw_files}.  A picture that cannot be made is a warning.
+## which each @var{draw} (scratch) starts to draw, see @code{draw_files}.  A picture that cannot be made is a warning.
 ## @end deftypefn
 
-function publish_study (output, numbers, pictures, write, draw)
+function publish_study (output, numbers, pictures, write, varargin)
   publish_run (output.folder, [pictures, numbers], write);
   names = numbers;
   if (output.pictures)
@@ -21,7 +21,7 @@ function publish_study (output, numbers, pictures, write, draw)
   say ("%s/ has %s", output.folder, strjoin (names, ", "));
 
   function draw_all (aside)
-    missing = draw_files (aside, {draw}, pictures);
+    missing = draw_files (aside, varargin, pictures);
   endfunction
 endfunction
 
@@ -37,6 +37,15 @@ endfunction
 %!  end_unwind_protect
 %!endfunction
 
+%!test # pictures of two tools
+%! draw = @(name) @(scratch) start_tool (scratch, "gnuplot", ["echo '</svg>' >../" name]);
+%! output = struct ("folder", tempname (), "pictures", true); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   evalc ("publish_study (output, {}, {'a.svg', 'b.svg'}, @(folder) 0, draw ('a.svg'), draw ('b.svg'));");
+%!   assert (setdiff ({dir(output.folder).name}, {".", ".."}), {"a.svg", "b.svg"});
+%! unwind_protect_cleanup
+%!   rmdir (output.folder, "s");
+%! end_unwind_protect
 %!test # table and picture; a table alone where the tool fails, which is said, and where no picture is wanted
 %! good = @(scratch) start_tool (scratch, "gnuplot", "echo '</svg>' >../a.svg");
 %! bad = @(scratch) start_tool (scratch, "gnuplot", "sh -c 'echo no; exit 1'");

@@ -5,9 +5,10 @@
 ## stays.  Other arguments as for @code{driver}; without stated modes there are as many base functions as places within
 ## 1e-6 of their distances take.
 ##
-## Leaves shape.csv (41 places of each rod), statics.csv (figures), shape.svg and shape.png in the folder of the
-## scene's output.  @var{found} is what @code{at_rest} returns, with shape, supports (see @code{mechanism_at_rest}),
-## stable (whether no mode grows) and slowest (rad/s, the slowest vibration).
+## Leaves shape.csv (41 places of each rod), along.csv (force, moment and stress there, see @code{section_forces} and
+## @code{surface_section}), statics.csv (figures) and pictures, shape.svg, along.svg and both as .png, in the folder of
+## the scene's output.  @var{found} is what @code{at_rest} returns, with shape, along, supports (see
+## @code{mechanism_at_rest}), stable (whether no mode grows) and slowest (rad/s, the slowest vibration).
 ##
 ## The option "factor", at least two rising numbers, asks for the equilibria under so many times the forces and moments
 ## of the scene and of its joints at that time; its weight, and what is prescribed, stay.  @var{found} is then the path
@@ -41,13 +42,21 @@ endfunction
 function result = one_rest (kind, scene, output, time)
   result = at_rest (kind, scene, time, @(found) vertcat (found.balance.shape (found.q){:})(:).');
   result.shape = result.balance.shape (result.q);
+  result.along = result.balance.along (time, result.q, result.lambda);
   result.supports = result.balance.supports (time, result.q, result.lambda);
   result.stable = ! any (result.vibrations.rate);
   result.slowest = result.vibrations.omega(1);
   describe (result, time);
-  publish_study (output, {"shape.csv", "statics.csv"}, {"shape.svg", "shape.png"}, ...
-                 @(aside) write_statics (result, time, aside), ...
-                 @(scratch) draw_shapes ("shape", panel_of (result), scene, scratch));
+  publish_study (output, {"shape.csv", "along.csv", "statics.csv"}, ...
+                 {"shape.svg", "shape.png", "along.svg", "along.png"}, ...
+                 @(aside) write_tables (result, time, aside), ...
+                 @(scratch) draw_shapes ("shape", panel_of (result), scene, scratch), ...
+                 @(scratch) draw_along (result.along, result.balance.names, scene.title, scratch));
+endfunction
+
+function write_tables (result, time, folder)
+  write_statics (result, time, folder);
+  write_along (result.along, folder);
 endfunction
 
 function path = path_of_rests (kind, scene, output, time, factors, left)
@@ -98,6 +107,9 @@ endfunction
 %!   csv = csvread (fullfile (folder, "shape.csv"), 1, 1);
 %!   assert (csv(end,1:3), [1, found.shape{1}(end,:)], 1e-15);
 %!   assert (stat (fullfile (folder, "shape.png")).size > 5000);
+%!   assert (stat (fullfile (folder, "along.png")).size > 5000);
+%!   along = csvread (fullfile (folder, "along.csv"), 1, 1);
+%!   assert (along(1,2), 0.04*0.04*0.5*7800*9.81, 1e-9);
 %!   assert (! isempty (strfind (said, "stable: the slowest vibration about it has")));
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");

@@ -22,6 +22,9 @@
 ## centrelines of k coordinates: a cell array, a body each, of [x y] (places-by-2-by-k, m)
 ## @item supports (t, q, lambda)
 ## what holds the bodies at rest: rows of a name, with its unit, and a number, as columns of history.csv have them
+## @item along (t, q, lambda)
+## forces and moments in the rods' sections at the places of shape: a cell array, a body each, of a struct of columns
+## (see @code{section_forces})
 ## @item most
 ## the largest number of base functions that is of use
 ## @item bodies
@@ -42,6 +45,7 @@ function balance = mechanism_at_rest (scene, mechanism)
   balance.length = max (cellfun (@(model) model.length, mechanism.models));
   balance.shape = @(q) shape (mechanism, q);
   balance.supports = @(t, q, lambda) supports (system, scene, t, q, lambda);
+  balance.along = @(t, q, lambda) section_forces (system, scene, t, q, lambda);
   balance.most = 32;
   for k = 1:numel (mechanism.models)
     balance.bodies{k} = index_of (mechanism, k);

@@ -20,6 +20,8 @@
 ## @item tangent (at, lambda, tension)
 ## minus the derivative of f - Phi_q' lambda by q, less what inertia forces have in it and less that of the tensions
 ## themselves (sparse n-by-n, a block a state along the diagonal)
+## @item on_markers (at, lambda)
+## what joints and loads do to the markers: a struct of x, y (N) and angle (N m; markers-by-k)
 ## @item constraint_convection (at, v)
 ## what Phi'' is without accelerations (constraints-by-k)
 ## @item convection (at, v)
@@ -66,6 +68,7 @@ function system = mechanism_system (scene, mechanism)
     system.tangent = @(at, lambda, tension) along_diagonal (system.stiffness, at) + geometric_stiffness (
       mechanism, at.q, forces_on_markers (mechanism, at, lambda, tension));
   endif
+  system.on_markers = @(at, lambda) forces_on_markers (mechanism, at, lambda, at.springs.tension);
   system.constraint_convection = @(at, v) constraint_convection (
     mechanism.constraints, at.prescribed, at.markers, at.constraints, marker_convection (mechanism, at.q, v));
   system.convection = @(at, v) rod_convection (mechanism, at.q, v);

@@ -21,6 +21,7 @@ function balance = surface_at_rest (scene, system)
   b = surface_basis (scene, system.place, stations);
   balance.interpolation = [b.values{1}; b.values{2}];
   balance.supports = @(t, z, lambda) supports (system, scene, t, z);
+  balance.along = @(t, z, lambda) {surface_section(system, z, stations)};
   balance.most = 16;  # more polynomials are too much alike
   balance.bodies = {1:system.n};
   balance.names = {"rod"};

@@ -1,0 +1,29 @@
+## -*- texinfo -*-
+## @deftypefn {} {} write_along (@var{along}, @var{folder})
+## What the sections of rods bear (see @code{section_columns}) as along.csv: rows as those of shape.csv, body after
+## body.  A cell is empty where its number is not known.
+## @end deftypefn
+
+function write_along (along, folder)
+  [names, units] = section_columns (along);
+  heads = cellfun (@(name, unit) sprintf (",%s [%s]", name, unit), names, units, "uniformoutput", false);
+  text = ["body,part of the length" heads{:} "\n"];
+  for k = 1:numel (along)
+    table = cell2mat (cellfun (@(name) along{k}.(name), names, "uniformoutput", false));
+    part = linspace (0, 1, rows (table)).';
+    template = ["%d" repmat(",%.17g", 1, 1 + columns (table)) "\n"];
+    text = [text, sprintf(template, [repmat(k, rows (table), 1), part, table].')];
+  endfor
+  write_text (fullfile (folder, "along.csv"), strrep (text, ",NaN", ","));
+endfunction
+
+%!test
+%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   body = struct ("N", [1; 2], "stress", [3; 4]);
+%!   write_along ({body, setfield(body, "stress", [NaN; NaN])}, folder);
+%!   assert (fileread (fullfile (folder, "along.csv")), ...
+%!           "body,part of the length,N [N],stress [Pa]\n1,0,1,3\n1,1,2,4\n2,0,1,\n2,1,2,\n");
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect
