@@ -27,11 +27,7 @@ function found = at_rest (kind, scene, t, measure, enough = 1e-6)
     show_progress (sprintf ("equilibrium with %d base functions of each sort", n));
     coarse = found = equilibrium_of (kind, scene, kind.sized (scene, n), t, coarse);
     found.functions = n;
-    now = measure (found);
-    found.change = Inf (size (now));
-    common = 1:min (numel (now), numel (last));
-    found.change(common) = abs (now(common) - last(common))./max (abs (now(common)), 1e-3*max (abs (now)));
-    last = now;
+    [found.change, last] = relative_change (measure (found), last);
     if (n >= found.balance.most || found.change <= enough)
       break;
     endif

@@ -39,14 +39,6 @@ function [wanted, options] = wanted_outputs (options)
   endif
 endfunction
 
-function rods = model_of (kind, scene, functions)
-  if (isnan (functions))
-    rods = kind.build (scene, kind.stated (scene));
-  else
-    rods = kind.sized (scene, functions);
-  endif
-endfunction
-
 ## what a unit of each input adds to the forces (n-by-m), and coordinates that follow where it is prescribed (n-by-m)
 function [into, hold] = pushes (balance, found, inputs)
   all_of = repmat (found.q, 1, inputs + 1);

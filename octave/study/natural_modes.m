@@ -5,6 +5,9 @@
 ## @code{driver}; without stated modes there are as many base functions as six digits take.  The option "film" (numbers
 ## of modes) leaves films of those, too (see @code{film_mode}).
 ##
+## The option "time" (s) asks for those about the state that a run of the scene has then, with frozen coefficients and
+## the modes of the run, instead (see @code{at_state}): where a mode is fast against the motion, that is how it rings.
+##
 ## Leaves modes.csv, modes.svg and modes.png (the slowest six, both ways) in the folder of the scene's output.
 ## @var{table} is a struct array of mode, f (Hz), omega (rad/s), damping (ratio), growth (1/s, of what is
 ## unstable), change (of omega when the base functions were doubled, relative) and share (of the kinetic energy, of
@@ -13,8 +16,16 @@
 
 function table = natural_modes (scene = "paper", varargin)
   [films, options] = taken_option (varargin, "film", [], @are_numbers, "numbers of modes, from 1 to 12");
-  [scene, kind, output] = study_scene (scene, options, @scene_at_rest);
-  found = at_rest (kind, scene, 0, @(found) found.vibrations.omega(1:min (end, 12)));
+  [time, options] = taken_option (options, "time", [], @(t) isscalar (t) && isreal (t) && t >= 0, ...
+                                  "a time in s, not negative");
+  if (isempty (time))
+    [scene, kind, output] = study_scene (scene, options, @scene_at_rest);
+    found = at_rest (kind, scene, 0, @(found) found.vibrations.omega(1:min (end, 12)));
+  else
+    [scene, kind, output] = study_scene (scene, options, @scene_of_bodies);
+    found = at_state (kind, scene, time);
+    found.change = found.change(1:min (end, 12));
+  endif
   rows = mode_rows (found);
   print_rows (rows, found);
   publish_study (output, {"modes.csv"}, {"modes.svg", "modes.png"}, ...
@@ -45,7 +56,9 @@ function rows = mode_rows (found)
 endfunction
 
 function print_rows (rows, found)
-  if (isnan (found.functions))
+  if (isfield (found, "v"))
+    say ("  of the modes of the run up to t = %g s, about its state then, with frozen coefficients", found.time);
+  elseif (isnan (found.functions))
     say ("  of the stated modes");
   else
     say ("  of %d base functions of each sort", found.functions);
@@ -85,6 +98,16 @@ function title = title_of (row)
   endif
 endfunction
 
+%!error <time is soon: it takes a time in s, not negative> natural_modes ("paper", "time", "soon")
+%!test # about the state of a run: as many as it has modes
+%! folder = tempname (); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   said = evalc ("table = natural_modes ('spin_up', 'time', 0.5, 'modes', [0 2], 'output', folder);");
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect
+%! assert (numel (table), 2); assert (isnan ([table.change]));
+%! assert (! isempty (strfind (said, "of the modes of the run up to t = 0.5 s")));
 %!error <cannot be made|can be written> natural_modes ("paper", "output", "/proc/nowhere")
 %!test # a rod swings about its hinge, and bends; table and pictures are there
 %! folder = tempname (); confirm_recursive_rmdir (false, "local");

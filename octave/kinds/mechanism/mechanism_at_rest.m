@@ -25,6 +25,12 @@
 ## @item along (t, q, lambda)
 ## forces and moments in the rods' sections at the places of shape: a cell array, a body each, of a struct of columns
 ## (see @code{section_forces})
+## @item accelerations (t, q, v)
+## of a motion: [a, lambda], accelerations and multipliers
+## @item moving (t, q, v, a, lambda)
+## forces less Phi_q' lambda and less inertia (n-by-k)
+## @item jacobian (q)
+## Phi_q (multipliers-by-n)
 ## @item most
 ## the largest number of base functions that is of use
 ## @item bodies
@@ -46,6 +52,9 @@ function balance = mechanism_at_rest (scene, mechanism)
   balance.shape = @(q) shape (mechanism, q);
   balance.supports = @(t, q, lambda) supports (system, scene, t, q, lambda);
   balance.along = @(t, q, lambda) section_forces (system, scene, t, q, lambda);
+  balance.accelerations = @(t, q, v) constrained_accelerations (system, t, q, v);
+  balance.moving = @(t, q, v, a, lambda) moving (system, t, q, v, a, lambda);
+  balance.jacobian = @(q) jacobian_at (system, q);
   balance.most = 32;
   for k = 1:numel (mechanism.models)
     balance.bodies{k} = index_of (mechanism, k);
@@ -56,6 +65,16 @@ endfunction
 function r = residual (system, t, q, v, lambda)
   at = system.at (t.*ones (1, columns (q)), q, v);
   r = [at.force - system.reaction(at, repmat (lambda, 1, columns (q))); at.constraints.residual];
+endfunction
+
+function f = moving (system, t, q, v, a, lambda)
+  at = system.at (t.*ones (1, columns (q)), q, v);
+  f = at.force - system.inertia (at, a) - system.reaction (at, repmat (lambda, 1, columns (q)));
+endfunction
+
+function J = jacobian_at (system, q)
+  [~, J] = system.matrices (system.at (0, q, 0*q));
+  J = full (J);
 endfunction
 
 function rows = supports (system, scene, t, q, lambda)

@@ -1,18 +1,11 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} scene_at_rest (@var{given})
-## A scene as the studies of equilibrium take it, not checked yet: one rod is one body (see @code{as_bodies}), and
+## A scene as the studies of equilibrium take it, not checked yet: one rod is one body (see @code{scene_of_bodies}), and
 ## bodies have neither velocities nor modal amplitudes at the start.
 ## @end deftypefn
 
 function scene = scene_at_rest (given)
-  scene = given;
-  if (! isstruct (given) || isfield (given, "surface") || ! any (isfield (given, {"rod", "bodies"})))
-    return;
-  endif
-  if (! isfield (given, "joints"))
-    scene.joints = {};
-  endif
-  scene = as_bodies (spelled_start (scene));
+  scene = scene_of_bodies (given);
   if (isfield (scene, "bodies") && iscell (scene.bodies))
     scene.bodies = cellfun (@placed, scene.bodies, "uniformoutput", false);
   endif

@@ -14,6 +14,9 @@ function balance = surface_at_rest (scene, system)
   balance.tangent = @(t, z, lambda) system.tangent_stiffness (t, z, 0*z, 0*z);
   balance.damping = @(t, z, lambda) zeros (system.n);
   balance.mass = @(z) system.mass_matrix (z);
+  balance.accelerations = @(t, z, v) accelerations (system, t, z, v);
+  balance.moving = @(t, z, v, a, lambda) -system.residual (t.*ones (1, columns (z)), z, v, a);
+  balance.jacobian = @(z) zeros (0, system.n);
   balance.size = system.size;
   balance.length = scene.rod.length;
   stations = linspace (0, scene.rod.length, 41).';
@@ -25,6 +28,11 @@ function balance = surface_at_rest (scene, system)
   balance.most = 16;  # more polynomials are too much alike
   balance.bodies = {1:system.n};
   balance.names = {"rod"};
+endfunction
+
+function [a, lambda] = accelerations (system, t, z, v)
+  a = system.rate (t, [z; v; 0], [0 system.duration])(system.n+1:2*system.n);
+  lambda = zeros (0, 1);
 endfunction
 
 function rows = supports (system, scene, t, z)
