@@ -42,7 +42,7 @@ help:
 		'[FACTOR=0:0.05:2] as its forces and moments grow so: path through buckling and snapping, SCENE=roof say'
 	@echo 'make modes       natural frequencies and modes of SCENE=paper about its equilibrium: table and shapes' \
 		'[FILM="1 2" TIME=0.4 about the state of a run]'
-	@echo 'make campbell    frequencies of one rod against its rotation, SCENE=spin_up say [SPEEDS=0:0.5:12]: table and diagram'
+	@echo 'make campbell    frequencies against the speed of rotation, SCENE=spin_up say [SPEEDS=0:0.5:12]: table and diagram'
 	@echo 'make response    how the tips of SCENE=two_link_arm answer harmonic loads about its equilibrium' \
 		'[FREQUENCIES=0:0.1:50]: table and figure'
 	@echo 'make sweep       a scene at many points: table and chart' \

@@ -5,13 +5,20 @@
 ## @end deftypefn
 
 function values = applied_values (loads, t)
+  once = t;
+  if (numel (t) > 1 && all (t == t(1)))  # one instant is asked for once
+    once = t(1);
+  endif
   values = cell (1, numel (loads));
   for j = 1:numel (loads)
     values{j} = zeros (3, numel (t));
-    values{j}(loads(j).parts,:) = at_times (loads(j).value, t);
+    values{j}(loads(j).parts,:) = at_times (loads(j).value, once).*ones (1, numel (t));
   endfor
 endfunction
 
 %!assert (applied_values (struct ("value", {@(t) 2*t, @(t) [t 5]}, "parts", {3, [1 2]}), [1 2]), ...
 %!        {[0 0; 0 0; 2 4], [1 2; 5 5; 0 0]})
 %!assert (applied_values (struct ([]), 1), cell (1, 0))
+%!test # of one instant a load is asked once
+%! values = applied_values (struct ("value", @(t) rand (), "parts", 3), [2 2]);
+%! assert (values{1}(3,1), values{1}(3,2)); assert (size (values{1}), [3 2]);

@@ -5,6 +5,12 @@
 ## @end deftypefn
 
 function values = prescribed_values (constraints, t)
+  if (numel (t) > 1 && all (t == t(1)))  # one instant is asked for once
+    along = @(value) value(:,ones (1, numel (t)));
+    values = cellfun (@(value) structfun (along, value, "uniformoutput", false), ...
+                      prescribed_values (constraints, t(1)), "uniformoutput", false);
+    return;
+  endif
   values = cell (1, numel (constraints.kinds));
   every = ones (1, numel (t));
   for i = 1:numel (constraints.kinds)
@@ -38,3 +44,7 @@ endfunction
 %! values = prescribed_values (constraints, [0 3]);
 %! assert (values{1}.value, [7 7; 0 3]); assert (values{2}.value, [7 7; 0 6]);
 %! assert (values{2}.value_dot, [0 0; 2 2]); assert (values{1}.value_ddot, zeros (2));
+%!test # of one instant what moves is asked once
+%! kind = struct ("joints", 1, "moving", 1, "component", 1, "constant", 0);
+%! values = prescribed_values (struct ("kinds", kind, "values", {{@(t) rand(3, 1)}}), [2 2]);
+%! assert (values{1}.value_dot(1), values{1}.value_dot(2)); assert (size (values{1}.value), [1 2]);

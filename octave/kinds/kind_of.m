@@ -62,6 +62,9 @@
 ## @item at_rest (scene, model)
 ## the balance of forces that @code{equilibrium} and @code{vibrations} take (see @code{mechanism_at_rest}); one rod has
 ## it as a body (see @code{scene_at_rest})
+## @item turning (scene)
+## its steady rotation without weight and loads, as @code{campbell} takes it (see @code{steady_rod}), or an error that
+## says why there is none; empty where the kind has none
 ## @item reference
 ## the method and the tolerance (m) that integrations are measured against: a cell array
 ## @end table

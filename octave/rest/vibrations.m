@@ -2,7 +2,8 @@
 ## @deftypefn {} {@var{modes} =} vibrations (@var{linear})
 ## The natural vibrations of linear equations M y'' + C y' + K y = 0 (see @code{linearised}), from slow to fast: a
 ## struct of omega (rad/s, of the undamped ones; 1-by-p), damping (the ratio; negative where it grows), rate (1/s: with
-## which what is unstable grows, else 0) and shape (p-by-p, real, of unit kinetic energy).
+## which what is unstable grows, else 0), shape (p-by-p, real, of unit kinetic energy) and vector (p-by-p, likewise, but
+## complex where parts of it do not move in phase).
 ##
 ## Without damping they are those of the symmetric problem, whose slowest have full relative accuracy (its inverse is
 ## solved); a follower load or damping takes the eigenvalues of the first order system.
@@ -17,8 +18,9 @@ function modes = vibrations (linear)
     modes = real_modes (M, (linear.K + linear.K.')/2);
   endif
   modes.shape ./= sqrt (sum (modes.shape.*(M*modes.shape), 1));
+  modes.vector ./= sqrt (real (sum (conj (modes.vector).*(M*modes.vector), 1)));
   [~, order] = sort (modes.omega);
-  for name = {"omega", "damping", "rate", "shape"}
+  for name = {"omega", "damping", "rate", "shape", "vector"}
     modes.(name{1}) = modes.(name{1})(:,order);
   endfor
 endfunction
@@ -35,6 +37,7 @@ function modes = real_modes (M, K)
   modes.omega = sqrt (max (squares, 0));
   modes.rate = sqrt (max (-squares, 0));
   modes.damping = 0*squares;
+  modes.vector = modes.shape;
 endfunction
 
 ## pairs -zeta omega +- i omega sqrt (1 - zeta^2), and what does not oscillate
@@ -52,7 +55,8 @@ function modes = complex_modes (M, C, K)
   modes.omega = abs (values).*(imag (values) > 1e-9*unit);
   modes.damping = -real (values)./max (abs (values), realmin).*(imag (values) > 1e-9*unit);
   modes.rate = real (values).*(real (values) > 1e-9*max (abs (values), unit*(imag (values) <= 1e-9*unit)));
-  modes.shape = real (R \ vectors(1:p,kept)./exp (1i*arg (sum (vectors(1:p,kept).^2, 1))/2));
+  modes.vector = R \ vectors(1:p,kept);
+  modes.shape = real (modes.vector./exp (1i*arg (sum (vectors(1:p,kept).^2, 1))/2));
 endfunction
 
 %!test # two masses: full accuracy of the slow one beside a stiff spring, and a rigid motion
@@ -73,3 +77,9 @@ endfunction
 %!test # a rigid motion beside a damped one is one mode, not two
 %! modes = vibrations (struct ("M", eye (3), "C", diag ([0 0.6 0]), "K", diag ([0 9 16])));
 %! assert (modes.omega, [0 3 4], 1e-9); assert (modes.damping, [0 0.1 0], 1e-9); assert (modes.rate, [0 0 0], 1e-9);
+%!test # a disk's two whirls: what moves along x and y a quarter of a period apart; the slow one backwards
+%! modes = vibrations (struct ("M", eye (2), "C", [0 1; -1 0], "K", eye (2)));
+%! assert (modes.omega, (sqrt (5) + [-1 1])/2, 1e-12);
+%! assert (abs (modes.vector(2,:)./modes.vector(1,:) - [1i -1i]) < 1e-12 ...
+%!         | abs (modes.vector(2,:)./modes.vector(1,:) + [1i -1i]) < 1e-12);
+%! assert (sum (abs (modes.vector).^2), [1 1], 1e-12);

@@ -17,10 +17,7 @@ function found = at_state (kind, scene, t)
   n = balance.n;
   found = struct ("time", t, "balance", balance, "q", state(1:n), "v", state(n+1:2*n), "functions", NaN);
   found.linear = linearised_motion (balance, t, found.q, found.v);
-  if (! (min (eig (found.linear.M)) > 0))
-    scene_error (["at t = %g s the mass matrix is not positive: foreshortening of the second order does not hold" ...
-                  " for what so many modes bend; state fewer, MODES=\"0 3\" say"], t);
-  endif
+  refuse_negative_mass (found.linear, sprintf ("at t = %g s", t));
   found.vibrations = vibrations (found.linear);
   found.vibrations.rate(found.vibrations.omega > 0) = 0;
   found.change = NaN (size (found.vibrations.omega));

@@ -1,22 +1,25 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} write_campbell (@var{found}, @var{folder})
-## What @code{campbell} has @var{found} as campbell.csv: a row a speed, frequencies of all branches, then their growth.
+## What @code{campbell} has @var{found} as campbell.csv: a row a speed, frequencies of all branches, their growth, and
+## the least modal assurance criteria by which each was followed from the speed before.
 ## @end deftypefn
 
 function write_campbell (found, folder)
   count = rows (found.f);
-  head = ["speed [rad/s]", sprintf(",f_%d [Hz]", 1:count), sprintf(",growth_%d [1/s]", 1:count), ",MAC\n"];
-  lines = sprintf (["%.17g" repmat(",%.17g", 1, 2*count + 1) "\n"], [found.speeds; found.f; found.growth; found.mac]);
+  head = ["speed [rad/s]", sprintf(",f_%d [Hz]", 1:count), sprintf(",growth_%d [1/s]", 1:count), ...
+          sprintf(",MAC_%d", 1:count), "\n"];
+  lines = sprintf (["%.17g" repmat(",%.17g", 1, 3*count) "\n"], [found.speeds; found.f; found.growth; found.mac]);
   write_text (fullfile (folder, "campbell.csv"), [head, lines]);
 endfunction
 
 %!test
 %! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
 %! unwind_protect
-%!   found = struct ("speeds", [0 2], "f", [1 3; 5 7], "growth", [0 0; 0 0.5], "mac", [1 0.75]);
+%!   found = struct ("speeds", [0 2], "f", [1 3; 5 7], "growth", [0 0; 0 0.5], "mac", [1 0.75; 1 0.5]);
 %!   write_campbell (found, folder);
 %!   assert (fileread (fullfile (folder, "campbell.csv")), ...
-%!           ["speed [rad/s],f_1 [Hz],f_2 [Hz],growth_1 [1/s],growth_2 [1/s],MAC\n0,1,5,0,0,1\n2,3,7,0,0.5,0.75\n"]);
+%!           ["speed [rad/s],f_1 [Hz],f_2 [Hz],growth_1 [1/s],growth_2 [1/s],MAC_1,MAC_2\n" ...
+%!            "0,1,5,0,0,1,1\n2,3,7,0,0.5,0.75,0.5\n"]);
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");
 %! end_unwind_protect

@@ -135,6 +135,7 @@ function text = rows_of_runs (scenes)
                 rests(scenes{k})
                 rests(scenes{k})
                 rests(scenes{k})
+                ! isempty(kind.turning)
                 seeks_equilibrium(scenes{k})
                 isfield(kind.drawing (scene, run), "spectrum")
                 iscellstr(kind.warnings (scene, run))
@@ -144,13 +145,13 @@ function text = rows_of_runs (scenes)
                 all(ismember ({"reaction_x", "reaction_y"}, columns_of))];
   endfor
   names = {"`make chart`", "`make models`", "`make stability`", "`make statics`", "`make modes`", ...
-           "`make response`", "a start in equilibrium", "spectra of the tip", ...
+           "`make response`", "`make campbell`", "a start in equilibrium", "spectra of the tip", ...
            "warnings where the model does not hold", "what all its models drop, in the estimated error", ...
            "place of mid-span over time", "angles of the tangent at both ends over time", ...
            "reactions of the supports over time"};
   cells = repmat ({"not yet"}, size (has));
   cells(has) = {"yes"};
-  cells{10,4} = "it drops nothing";
+  cells{11,4} = "it drops nothing";
   text = "";
   for j = 1:numel (names)
     text = [text, table_row(names{j}, cells(j,:))];

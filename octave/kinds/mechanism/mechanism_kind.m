@@ -31,6 +31,7 @@ function kind = mechanism_kind ()
   kind.literal = @(scene) [];
   kind.sized = @model_of_size;
   kind.at_rest = @mechanism_at_rest;
+  kind.turning = @steady_mechanism;
   kind.reference = {"radau", 1e-12};
 endfunction
 

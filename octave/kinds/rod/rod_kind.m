@@ -30,6 +30,7 @@ function kind = rod_kind ()
   kind.literal = @paper_sines;
   kind.sized = @(scene, n) build_model (scene, rung_of_scene (setfield (scene, "model", "modes", [n n])));
   kind.at_rest = [];
+  kind.turning = @steady_rod;
   kind.reference = {"waveform", 1e-10};
 endfunction
 

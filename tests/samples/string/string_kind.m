@@ -31,6 +31,7 @@ function kind = string_kind ()
   kind.literal = @(scene) [];
   kind.sized = @(scene, n) setfield (scene.string, "elements", n)(n <= 4);
   kind.at_rest = [];
+  kind.turning = [];
   kind.reference = {"ode45", 1e-10};
 endfunction
 

@@ -1,16 +1,16 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{linear}, @var{q}] =} about_rotation (@var{kind}, @var{scene}, @var{model}, @var{speed}, @var{q})
+## @deftypefn {} {[@var{linear}, @var{q}] =} about_rotation (@var{scene}, @var{model}, @var{speed}, @var{q})
 ## The equations of a @var{model} of one rod linear about its steady rotation at the @var{speed} (rad/s): a struct of
-## M, C and K as @code{linearised} has them, of the coordinates of its system, and its coordinates @var{q} (n-by-1)
+## M, C, K, basis and mass as @code{linearised} has them, of the coordinates of its system, and its coordinates @var{q} (n-by-1)
 ## then, found near those given ([]: undeformed).  @var{scene} is a checked scene without weight and loads; a hub's
 ## rotation is replaced.
 ## @end deftypefn
 
-function [linear, q] = about_rotation (kind, scene, model, speed, q)
+function [linear, q] = about_rotation (scene, model, speed, q)
   if (! isempty (scene.rotation))
     scene.rotation = @(t) [speed*t; speed + 0*t; 0*t];
   endif
-  system = kind.system (scene, model);
+  system = rod_system (scene, model);
   n = rows (system.mass);
   v = zeros (n, 1);
   if (isempty (scene.rotation))
@@ -32,7 +32,8 @@ function [linear, q] = about_rotation (kind, scene, model, speed, q)
       break;
     endif
   endfor
-  linear.M = system.mass;
+  linear.M = linear.mass = system.mass;
+  linear.basis = eye (n);
   linear.K = -system.mass*difference_quotients (@(x) accelerations (q + x, v + 0*x), steps);
   linear.C = -system.mass*difference_quotients (@(x) accelerations (q + 0*x, v + x), steps);
 endfunction
@@ -43,6 +44,6 @@ endfunction
 %! scene.model = struct ("modes", [25 0], "energy", "uniaxial");
 %! scene = check_scene (scene);
 %! model = build_model (scene, rung_of_scene (scene));
-%! [linear, q] = about_rotation (rod_kind (), scene, model, 2, []);
+%! [linear, q] = about_rotation (scene, model, 2, []);
 %! tip = functions_at (model.base, 2)*(model.basis*q)(1:25);
 %! assert (tip, 3*2^2*2^3/(3*1e5), -1e-3);

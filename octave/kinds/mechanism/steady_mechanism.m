@@ -1,0 +1,70 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{turning} =} steady_mechanism (@var{scene})
+## The bodies of a checked @var{scene} in steady rotation about the point that holds them (see @code{rotation_centre}),
+## all as one, without weight and loads, as @code{campbell} takes them: a struct of speed (rad/s, the largest that a
+## joint "angle" of the ground prescribes, NaN without one) and about (speed, q), as @code{about_rotation}.  Bodies that
+## do not state their modes have 8 base functions of each sort together, at least 3 each.
+## @end deftypefn
+
+function turning = steady_mechanism (scene)
+  centre = rotation_centre (scene);
+  turning.speed = NaN;
+  for k = 1:numel (scene.joints)
+    kind = scene.joints(k).kind;
+    if (strcmp (kind, "angle") && any (scene.joints(k).bodies == 0))
+      rates = arrayfun (@(t) scene.joints(k).value (t)(2), linspace (0, scene.duration, 1001));
+      turning.speed = max ([turning.speed, abs(rates)]);
+    elseif (any (strcmp (kind, {"force", "moment"})))
+      scene.joints(k).value = @(t) 0*scene.joints(k).value (t);
+    endif
+  endfor
+  scene.gravity = 0;
+  kind = mechanism_kind ();
+  if (isempty (kind.stated (scene)))
+    mechanism = kind.sized (scene, max (3, floor (8/numel (scene.bodies))));
+  else
+    mechanism = build_mechanism (scene, mechanism_rungs (scene, 0*(1:numel (scene.bodies))));
+  endif
+  turning.about = @(speed, q) about (rotating_balance (scene, mechanism, speed, centre), speed, q);
+endfunction
+
+function [linear, q] = about (balance, speed, q)
+  if (isempty (q))
+    q = balance.start;
+  endif
+  [q, ~, linear] = equilibrium (balance, 0, q);
+  refuse_negative_mass (linear, sprintf ("at %g rad/s", speed));
+endfunction
+
+%!function scene = spinner (joints, count, varargin)   # equal rods of unit length, mass and EI in all, the first on top
+%!  rod = struct ("length", 1/count, "EA", 1e8, "EI", 1, "rhoA", 1, "rhoI", 0, "half_height", 0.001);
+%!  body = struct ("rod", rod, "model", struct ("modes", "auto", "energy", "uniaxial"), varargin{:});
+%!  scene.bodies = repmat ({body}, 1, count);
+%!  weld = @(k) struct ("kind", "weld", "bodies", [k k+1], "stations", [1/count 0]);
+%!  scene.joints = [{struct("kind", "revolute", "bodies", 1, "stations", 0)}, joints, arrayfun(weld, 1:count-1, ...
+%!                  "uniformoutput", false)];
+%!  scene.duration = 1;
+%!  scene = check_mechanism (scene);
+%!endfunction
+%!function omega = slowest (scene, speed, n)
+%!  omega = sort (vibrations (steady_mechanism (scene).about (speed, [])).omega)(1:n);
+%!endfunction
+%!test # one rod in a hub, and two that are welded: the power series of the beam that turns
+%! hub = {struct("kind", "angle", "bodies", 1, "stations", 0, "value", @(t) [6*t, 6, 0])};
+%! assert (steady_mechanism (spinner (hub, 1)).speed, 6);
+%! for count = 1:2
+%!   for speed = [0 8]
+%!     assert (slowest (spinner (hub, count), speed, 2), turning_beam (speed, 2, "clamped"), -2e-5);
+%!   endfor
+%! endfor
+%!test # free at its hinge, in two: it turns, and bends
+%! assert (slowest (spinner ({}, 2), 6, 3), [0, rotating_beam(6, 2).'], 1e-2);
+%!test # a rod pinned to the rim of a rigid hub swings at spin*sqrt (3/2 radius/length)
+%! hub = struct ("rod", struct ("length", 2, "EA", 1, "EI", 1, "rhoA", 1), "model", struct ("modes", [0 0]));
+%! rod = setfield (hub, "rod", "length", 1);
+%! scene.bodies = {hub, rod};
+%! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), struct("kind", "angle", "bodies", 1), ...
+%!                 struct("kind", "revolute", "bodies", [1 2], "stations", [2 0])};
+%! scene.joints{2}.stations = 0;
+%! scene.duration = 1;
+%! assert (slowest (check_mechanism (scene), 5, 1), 5*sqrt (3/2*2/1), -1e-5);
