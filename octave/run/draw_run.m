@@ -1,11 +1,12 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{summary} =} draw_run (@var{folder}, @var{scene}, @var{summary}, @var{start}, @var{draw})
+## @deftypefn {} {@var{summary} =} draw_run (@var{folder}, @var{scene}, @var{summary}, @var{start}, @var{draw}, @
+##   @var{earlier})
 ## The pictures of the drawing that @var{draw} () returns (see @code{draw_pictures}), and the report, in the existing
-## @var{folder}.  The @var{summary} comes back with the seconds of each part, those since @var{start} (a tic), and with
-## warnings of what could not be made.
+## @var{folder}; the report shows studies that the folder @var{earlier} has.  The @var{summary} comes back with the
+## seconds of each part, those since @var{start} (a tic), and with warnings of what could not be made.
 ## @end deftypefn
 
-function summary = draw_run (folder, scene, summary, start, draw)
+function summary = draw_run (folder, scene, summary, start, draw, earlier = "")
   drawing_start = tic ();
   show_progress (sprintf ("drawing %d frames ", summary.frames));
   drawing = draw ();
@@ -23,7 +24,7 @@ function summary = draw_run (folder, scene, summary, start, draw)
   summary.seconds.total = toc (start);
   report_start = tic ();
   try
-    write_report (folder, drawing, scene, summary);
+    write_report (folder, drawing, scene, summary, earlier);
   catch err
     [~, ~] = unlink (fullfile (folder, "report.html"));
     missing(end+1,:) = {"report.html", reason_of(err)};

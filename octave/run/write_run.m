@@ -60,7 +60,7 @@ function summary = write_run (output, kind, scene, run, summary, start)
   endfunction
 
   function draw_all (aside)
-    summary = draw_run (aside, scene, summary, start, draw);
+    summary = draw_run (aside, scene, summary, start, draw, folder);
   endfunction
 
   function warn (template, message)

@@ -156,5 +156,5 @@ endfunction
 %! bends = find (abs (2*pi*found.f(:,1) - turning_beam (0.5, 1, "clamped")) < 1e-4);
 %! assert (2*pi*found.f(swing,:), found.speeds*sqrt (3), 1e-6);
 %! assert (numel (bends), 1);
-%! assert (2*pi*found.f(bends,end), turning_beam (4, 1, "clamped"), 1e-4); assert (found.mac > 0.999);
+%! assert (2*pi*found.f(bends,end), turning_beam (4, 1, "clamped"), 5e-4); assert (found.mac > 0.999);
 %! assert (sign (found.f(swing,[1 end]) - found.f(bends,[1 end])), [-1 1]);

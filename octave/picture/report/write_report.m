@@ -1,12 +1,13 @@
 ## -*- texinfo -*-
-## @deftypefn {} {} write_report (@var{folder}, @var{drawing}, @var{scene}, @var{summary})
+## @deftypefn {} {} write_report (@var{folder}, @var{drawing}, @var{scene}, @var{summary}, @var{earlier})
 ## @file{report.html} in a @var{folder}, with @file{figure3.svg} and @file{history.svg} where they are there: one page
 ## that needs no other file and no network, made of the files beside this one. It animates @var{drawing} (see
 ## @code{draw_pictures}) and tells what the @var{scene} and the @var{summary} (structs of any fields; see
-## @code{summarise}) say.
+## @code{summarise}) say.  Studies that the folder @var{earlier} has (default: none) are shown (see
+## @code{earlier_studies}).
 ## @end deftypefn
 
-function write_report (folder, drawing, scene, summary)
+function write_report (folder, drawing, scene, summary, earlier = "")
   here = fileparts (mfilename ("fullpath"));
   part = @(name) fileread (fullfile (here, name));
   picture = @(name, text) picture_or_word (fullfile (folder, [name ".svg"]), name, text);
@@ -21,6 +22,10 @@ function write_report (folder, drawing, scene, summary)
   page.figure3 = picture ("figure3", ["The bodies at even times over " seconds]);
   page.history = picture ("history", ["Over " seconds ": " panels]);
   page.history_text = html_escape (["Over time: " panels "."]);
+  page.studies = "";
+  if (! isempty (earlier))
+    page.studies = earlier_studies (earlier);
+  endif
   page.model = model_text (summary);
   page.command = html_escape (field_or (summary, "command", ""));
   page.summary = html_table ({}, field_rows (without (summary, ...
@@ -86,12 +91,12 @@ endfunction
 
 %!function html = report_in (folder, drawing, use, figures, tried)
 %!  for name = figures
-%!    write_text (fullfile (folder, [name{1} ".svg"]), ...
+%!    write_text (fullfile (folder, [name{1} ".svg"(1:end*isempty (strfind (name{1}, ".")))]), ...
 %!                "<svg xmlns='http://www.w3.org/2000/svg'><path id='a'/></svg>\n");
 %!  endfor
 %!  summary = struct ("model", "rigid", "model_reason", "a < b", "warnings", {{"x & <y>"}}, "tried", tried, ...
 %!                    "seconds", struct ("frames", 2, "film", 1), "command", "make simulate MODES='1 2'");
-%!  write_report (folder, drawing, struct ("moment", @(t) 3*(t < 1)), summary);
+%!  write_report (folder, drawing, struct ("moment", @(t) 3*(t < 1)), summary, folder);
 %!  html = use (fullfile (folder, "report.html"));
 %!endfunction
 %!function html = report_of (drawing, use, figures = {"figure3", "history"}, tried = [])
@@ -126,6 +131,12 @@ endfunction
 %!             "MODES=&#39;1 2&#39;", "<mfrac>", "prefers-color-scheme: dark", "width=device-width", "aria-label"}
 %!   assert (! isempty (strfind (html, text{1})), text{1});
 %! endfor
+%!test # with a study that was made there before
+%! html = report_of (sample_drawing (2), @fileread, {"figure3", "modes"});
+%! assert (isempty (strfind (html, "Natural modes")));  # without its table it is none
+%! html = report_of (sample_drawing (2), @fileread, {"figure3", "modes", "modes.csv"});
+%! check_tags (html);
+%! assert (! isempty (regexp (html, 'Natural modes, asked for at')));
 %!test # without its figures
 %! html = report_of (sample_drawing (2), @fileread, {});
 %! check_tags (html);
