@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{found} =} at_state (@var{kind}, @var{scene}, @var{t})
 ## The state at the time @var{t} (s) of the run of a checked scene of a @var{kind} (see @code{kind_of}), with the modes
-## that it states, or is given by @code{choose} up to then, and what vibrates about it with its coefficients frozen (see @code{linearised_motion}): a
-## struct as of @code{at_rest}, with v, the velocities; functions and change are those of stated modes.
+## that it states, or is given by @code{choose} up to then, and what vibrates about it with its coefficients frozen
+## (see @code{linearised_motion}): a struct as of @code{at_rest}, with v, the velocities; functions and change are
+## those of stated modes.
 ##
 ## What oscillates has a damping ratio, also a negative one, as its amplitude changes on the way; rate is that of what
 ## goes away without.

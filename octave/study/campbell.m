@@ -3,14 +3,14 @@
 ## Campbell's diagram of one rod, in a hub or free to turn about its hinge, or of a mechanism whose bodies all turn
 ## about the point that holds them (see @code{rotation_centre}): the frequencies of vibrations about steady rotation
 ## against the angular velocity, without weight and loads.  Arguments as for @code{driver}, and "speeds": angular
-## velocities (rad/s, rising; default: 13 from 0 to what the scene's hub reaches).  What is taken without stated modes is
-## in @code{steady_rod} and @code{steady_mechanism}, with foreshortening: without it a rod loses its stiffness as it
+## velocities (rad/s, rising; default: 13 from 0 to what the scene's hub reaches).  What is taken without stated modes
+## is in @code{steady_rod} and @code{steady_mechanism}, with foreshortening: without it a rod loses its stiffness as it
 ## turns.
 ##
-## Branches are the six slowest of what vibrates at the first speed, followed by the modal assurance criterion of complex
-## modes (Allemang and Brown 1982) in steps of a fiftieth of the range at most.  Leaves campbell.csv, campbell.svg and
-## campbell.png.  @var{found} is a struct of speeds (1-by-m), f (Hz, a row a branch), growth (1/s, likewise, of what is
-## unstable) and mac (likewise, the least criterion of the steps since the speed before).
+## Branches are the six slowest of what vibrates at the first speed, followed by the modal assurance criterion of
+## complex modes (Allemang and Brown 1982) in steps of a fiftieth of the range at most.  Leaves campbell.csv,
+## campbell.svg and campbell.png.  @var{found} is a struct of speeds (1-by-m), f (Hz, a row a branch), growth (1/s,
+## likewise, of what is unstable) and mac (likewise, the least criterion of the steps since the speed before).
 ## @end deftypefn
 
 function found = campbell (scene = "spin_up", varargin)

@@ -80,7 +80,7 @@ endfunction
 %! assert (result.history.tip([1 3],end), expected, 0.1*norm (fine - coarse) + 1e-4);
 %! assert (norm (fine - coarse) < 0.02);
 
-%!function tip = under_dead_force (EA)   # [shortening, deflection] of a cantilever of 2 m, 0.1 by 0.1 m, under 3 E I/l^2
+%!function tip = under_dead_force (EA)   # [shortening, deflection] of 2 m, 0.1 by 0.1 m, under 3 E I/l^2
 %!  scene = plane_rods ({"clamped", "free"}, [16 16]);
 %!  EI = 2.07e11*0.1^4/12;
 %!  scene.rod = struct ("length", 2, "EA", EA, "EI", EI, "rhoA", 78);

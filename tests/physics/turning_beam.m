@@ -3,7 +3,8 @@
 ## In-plane frequencies of an inextensible Euler-Bernoulli beam that turns at the @var{spin}, clamped or hinged
 ## ("hinge") as @var{hold} says at the @var{radius} of a hub (default 0), the first @var{n}, by the power series of its
 ## equation (Wright, Smith, Thresher and Wang 1982): w'''' - (T w')' - spin^2 w = omega^2 w, T = spin^2 ((1 - x^2)/2 +
-## radius (1 - x)), on a unit length with E I = rho A = 1.  A hinged one's first is its swing in the hub, 0 without radius.
+## radius (1 - x)), on a unit length with E I = rho A = 1.  A hinged one's first is its swing in the hub, 0 without
+## radius.
 ## @end deftypefn
 
 function omega = turning_beam (spin, n, hold, radius = 0)

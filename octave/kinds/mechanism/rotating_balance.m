@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{balance} =} rotating_balance (@var{scene}, @var{mechanism}, @var{speed}, @var{centre})
 ## The balance of forces of a checked scene's @var{mechanism} (see @code{mechanism_at_rest}) in the frame that turns at
-## the @var{speed} (rad/s) about the @var{centre} ([x y], m), at t = 0, when it has the directions of the fixed one: what
-## is at rest there has the velocities of that rotation, and the forces are less the inertia of its accelerations.
+## the @var{speed} (rad/s) about the @var{centre} ([x y], m), at t = 0, when it has the directions of the fixed one:
+## what is at rest there has the velocities of that rotation, and the forces are less the inertia of its accelerations.
 ##
 ## Of the coordinates x, y, phi of a body with rates in that frame: phi_dot + speed, x_dot - speed (y - y_0), y_dot +
 ## speed (x - x_0), with accelerations -speed^2 (x - x_0) - 2 speed y_dot and -speed^2 (y - y_0) + 2 speed x_dot.
@@ -17,7 +17,8 @@ function balance = rotating_balance (scene, mechanism, speed, centre)
   balance.residual = @(t, q, v, lambda) residual (system, frame, q, v, lambda);
   steps = 1e-4*balance.length*system.q_scale;
   forces = @(q, v, lambda) balance.residual (0, q, v, lambda);
-  balance.tangent = @(t, q, lambda) stiffness (difference_quotients (@(x) forces (q + x, 0*x, lambda), steps), balance.n);
+  by_q = @(q, lambda) difference_quotients (@(x) forces (q + x, 0*x, lambda), steps);
+  balance.tangent = @(t, q, lambda) stiffness (by_q (q, lambda), balance.n);
   balance.damping = @(t, q, lambda) -difference_quotients (@(x) forces (q + 0*x, x, lambda), steps)(1:balance.n,:);
 endfunction
 

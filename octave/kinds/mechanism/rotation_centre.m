@@ -21,7 +21,7 @@ function centre = rotation_centre (scene)
     centre = joint.point(:).';
   endfor
   if (isempty (centre))
-    scene_error ("no steady rotation: no joint \"revolute\" holds a body to a point of the ground, about which all turn");
+    scene_error ("no steady rotation: no joint \"revolute\" holds a body to the ground, about which all turn");
   endif
 endfunction
 

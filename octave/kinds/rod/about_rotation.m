@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{linear}, @var{q}] =} about_rotation (@var{scene}, @var{model}, @var{speed}, @var{q})
 ## The equations of a @var{model} of one rod linear about its steady rotation at the @var{speed} (rad/s): a struct of
-## M, C, K, basis and mass as @code{linearised} has them, of the coordinates of its system, and its coordinates @var{q} (n-by-1)
-## then, found near those given ([]: undeformed).  @var{scene} is a checked scene without weight and loads; a hub's
-## rotation is replaced.
+## M, C, K, basis and mass as @code{linearised} has them, of the coordinates of its system, and its coordinates @var{q}
+## (n-by-1) then, found near those given ([]: undeformed).  @var{scene} is a checked scene without weight and loads; a
+## hub's rotation is replaced.
 ## @end deftypefn
 
 function [linear, q] = about_rotation (scene, model, speed, q)

@@ -2,11 +2,11 @@
 ## @deftypefn {} {@var{along} =} surface_section (@var{system}, @var{z}, @var{stations})
 ## Forces and moments in the sections of a rod on a surface (see @code{surface_rod}) at rest with the coordinates
 ## @var{z} (n-by-1), at the @var{stations} (p-by-1, m): a struct of columns (p-by-1) N and Q (N; along the rod, and
-## across it in the tangent plane), M (N m; about the normal), M_normal (of bending across the tangent plane) and torque.
-## What lies beyond the section does this to what lies before it.
+## across it in the tangent plane), M (N m; about the normal), M_normal (of bending across the tangent plane) and
+## torque. What lies beyond the section does this to what lies before it.
 ##
-## Q balances the moments about the normal: Q stretch = -M_1 - moment_coupling, M_1 the slope of the polynomial through the
-## quadrature's points (see @code{normal_reaction}).
+## Q balances the moments about the normal: Q stretch = -M_1 - moment_coupling, M_1 the slope of the polynomial through
+## the quadrature's points (see @code{normal_reaction}).
 ## @end deftypefn
 
 function along = surface_section (system, z, stations)
