@@ -3,19 +3,20 @@
 ## What a sweep of the scene @var{which} with these @var{options} (a cell array, see @code{sweep}) is to do, before
 ## anything is run or written.
 ##
-## @var{plan} is a struct of name and typed, the scene's; settings (see @code{sweep_settings}); folder, where its files
-## go; pictures, whether the whole is drawn; columns and values (see @code{sweep_table}); items (see
-## @code{read_observe}); about, what all points have in common, a text by name; keys (cellstr, see @code{point_keys});
-## command (k), what runs the k-th point; and done, whether its row is there.
+## @var{plan} is a struct of name and typed, the scene's; call, what to type for the sweep; settings (see
+## @code{sweep_settings}); folder, where its files go; pictures, whether the whole is drawn; columns and values (see
+## @code{sweep_table}); items (see @code{read_observe}); about, what all points have in common, a text by name; keys
+## (cellstr, see @code{point_keys}); command (k), what runs the k-th point; and done, whether its row is there.
 ## @end deftypefn
 
 function plan = plan_sweep (which, options)
   if (isstruct (which))
     scene_error ("a sweep takes a scene by its name or its file, not a struct: its points are processes of their own");
   endif
+  [file, ~, plan.typed] = find_scene (which);
+  plan.call = call_of (plan.typed, options);
   [settings, options] = take_settings (options);
   plan.settings = settings;
-  [file, ~, plan.typed] = find_scene (which);
   [~, plan.name] = fileparts (file);
   [~, output] = take_options (struct (), fullfile ("output", plan.name, "sweep"), options);
   plan.folder = output.folder;
@@ -32,6 +33,17 @@ function plan = plan_sweep (which, options)
   plan.keys = point_keys (strjoin (struct2cell (plan.about), "\n"), plan.columns, plan.values);
   plan.done = are_done (plan);
   plan.command = @(k) command_of (plan, plan.keys{k}, plan.values(k,:));
+endfunction
+
+## a table in Octave has no words for a shell
+function call = call_of (typed, options)
+  at = find (strcmp (options(1:2:end), "table"));
+  if (isempty (at))
+    call = repeat_command (typed, options, "make sweep");
+  else
+    options([2*at - 1; 2*at]) = [];
+    call = ["sweep (\"" typed "\", table" repeat_command(struct (), options)(numel ("driver (scene") + 1:end)];
+  endif
 endfunction
 
 ## the same options are the same, in whatever order
@@ -61,6 +73,9 @@ endfunction
 %!  first = plan ("vary", "argument.1=2,3", "tolerance", 1e-3, "observe", "model");
 %!  assert ({first.name, first.typed, first.pictures, first.drawn, first.done}, ...
 %!          {"chain", "chain(3)", true, false, [false false]});
+%!  assert (! isempty (strfind (first.call, "make sweep SCENE='chain(3)' OUTPUT=")));
+%!  assert (! isempty (strfind (first.call, "JOBS=2 VARY='argument.1=2,3' TOLERANCE=0.001 OBSERVE=model")));
+%!  assert (plan_sweep ("swing", {"table", {"zoom"; 1}, "jobs", 2}).call, "sweep (\"swing\", table, \"jobs\", 2)");
 %!  command = first.command (2);
 %!  assert (! isempty (strfind (command, " point SCENE='chain(3)' TOLERANCE=0.001 AT='argument.1=3' OBSERVE=model ")));
 %!  assert (! isempty (strfind (command, ["/it'\\''s $x/points' POINT=" first.keys{2}])));

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{found} =} sweep (@var{scene}, @var{option}, @var{value}, @dots{})
 ## Run a scene at many points, each in a process of its own, and leave a table: summary.csv, a row a point that is
-## done, and sweep.json, in output/NAME/sweep/ or the folder of the option "output"; over one or two fields that vary
-## also sweep.svg and sweep.png.
+## done, sweep.json, and sweep.html, in output/NAME/sweep/ or the folder of the option "output"; over one or two fields
+## that vary also sweep.svg and sweep.png.
 ##
 ## @var{scene} is a name or a path as for @code{driver}, whose options are those of all points.  Other options say
 ## which points, what of each is kept, and how they are run (see @code{sweep_settings}); a cell array as the first of
@@ -88,7 +88,7 @@ endfunction
 %!  assert (strncmp (said, sprintf ("20 points of %s: 17 done before, 0 refused, 3 to run by %s", scene, engine), 60));
 %!  assert (message, ""); assert (setdiff (again, rows), sort (again([4 8 20]))); assert (numel (again), 20);
 %!  assert (json.failures, []); assert (sort ({dir(folder).name}), {".", "..", "driven.m", "points", "scratch", ...
-%!                                                                   "summary.csv", "sweep.json"});
+%!                                                                   "summary.csv", "sweep.html", "sweep.json"});
 %!endfunction
 %!test # 20 points, of which 3 fail: 17 rows, 3 messages; after the mend just these are run
 %! in_scratch (@(folder, scratch) check_failures (folder, "make"));
