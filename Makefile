@@ -47,6 +47,8 @@ help:
 		'[FREQUENCIES=0:0.1:50]: table and figure'
 	@echo 'make sweep       a scene at many points: table and chart' \
 		'[SCENE=swing VARY="rod.length=0.2:0.1:1" OBSERVE="max|tip_y|" ENGINE=parallel JOBS=2 KEEP=yes DRY=yes]'
+	@echo 'make point       a scene with other fields, as a sweep has it: the observed values, and the run'"'"'s files' \
+		'[SCENE=swing AT="rod.length=0.2" OBSERVE="max|tip_y|" OUTPUT=folder]'
 	@echo 'make choices     all scenes that choose and 198 random ones: chosen models against far richer ones'
 	@echo 'make conditioning    condition number of the mass matrix of arcs against the number of base functions: table'
 	@echo 'make map         the folders of octave/ and the calls between them: output/map.svg, .png' \

@@ -21,7 +21,7 @@ function [refused, scene] = check_points (which, plan)
         scene = checked;
       endif
     catch err
-      refused{k} = strtrim (err.message);
+      refused{k} = point_message (err);
     end_try_catch
   endfor
   show_progress ("");
@@ -39,5 +39,17 @@ endfunction
 %! plan.columns = {"argument.1"};
 %! [refused, scene] = check_points ("chain", setfield (plan, "values", {2; "x"; 3; 4}));
 %! assert (refused, {"", "argument.1 is \"x\": it takes a number", "", ""}); assert (numel (scene.bodies), 2);
-%! plan.columns = {"rod.lenght"};
+%!function file = write_indexed (folder)
+%!  file = fullfile (folder, "indexed.m");
+%!  write_text (file, ["function scene = indexed (k)\n  if (k > 3)\n    error ('no rod %d', k);\n  endif\n" ...
+%!                     "  scene = swing ();\n  scene.duration = [1 2](k);\nendfunction\n"]);
+%!endfunction
+%!test # what a scene's function says of an argument, and an error of its own
+%! plan = struct ("keys", {{"a", "b", "c"}}, "columns", {{"argument.1"}}, "values", {{1; 3; 4}}, ...
+%!                "options", {{}}, "done", [false false false]);
+%! refused = in_scratch (@(folder, scratch) check_points (write_indexed (folder), plan));
+%! assert (refused([1 3]), {"", "no rod 4"});
+%! assert (strncmp (refused{2}, "an error in indexed, line 6: index (3): out of bound", 52));
+%!test # none that can be run
+%! plan = struct ("keys", {{"a"}}, "columns", {{"rod.lenght"}}, "values", {{1}}, "options", {{}}, "done", false);
 %! fail ("check_points ('swing', plan)", "no point can be run: point 1, rod.lenght=1: rod.lenght is not a field of a");

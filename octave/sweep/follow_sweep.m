@@ -37,20 +37,25 @@ function found = follow_sweep (plan, found, to_do, engine, jobs, publish)
   end_unwind_protect
 endfunction
 
-## A queue says late that it is empty.
+## Looking takes a twentieth of the time, at most.  A queue says late that it is empty.
 function found = watch (plan, found, pid, publish, is_queue)
   start = tic ();
   begun = counted (found);
+  look = tic ();
+  seconds = 0;
   do
-    look = tic ();
     [ended, ~] = waitpid (pid, WNOHANG ());
-    before = counted (found);
-    found = gather_rows (plan, found);
-    if (counted (found) != before)
-      publish (found, true);
+    if (ended != 0 || toc (look) > 20*seconds)
+      look = tic ();
+      before = counted (found);
+      found = gather_rows (plan, found);
+      if (counted (found) != before)
+        publish (found, true);
+      endif
+      show_progress (sweep_progress (found, counted (found) - begun, toc (start)));
+      seconds = toc (look);
     endif
-    show_progress (sweep_progress (found, counted (found) - begun, toc (start)));
-    pause ((ended == 0)*max (0.2, 20*toc (look)));  # a twentieth of the time, at most
+    pause (0.2*(ended == 0));
   until (ended != 0 || (is_queue && counted (found) == numel (plan.keys)))
 endfunction
 
