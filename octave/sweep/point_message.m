@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{text} =} point_message (@var{err})
 ## What is said of a point of a sweep that failed with the error @var{err}: its message in one line.  One of the
-## interpreter's own, such as an index that is out of bound, is none of the point but of a program, and its text says of
-## which, and in which line.
+## interpreter's own, such as an index that is out of bound, is none of the point but of a program, and its text says
+## of which, and in which line.
 ## @end deftypefn
 
 function text = point_message (err)

@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{found} =} run_sweep (@var{plan}, @var{refused}, @var{scene}, @var{count})
 ## Run the points of a @var{plan} (see @code{plan_sweep}) that are not done and not @var{refused} (see
-## @code{check_points}), and publish summary.csv, sweep.json and sweep.html before, as points end, and behind; then
-## sweep.svg and sweep.png, where one or two fields vary.  @var{scene} is one of the points', checked, and @var{count}
-## the number of columns that its runs have about.  @var{found} is what @code{sweep} returns.
+## @code{check_points}), and publish summary.csv, sweep.json and sweep.html before, as points end, and behind, where
+## they are random with sensitivity.csv; then sweep.svg and sweep.png, where one or two fields vary.  @var{scene} is
+## one of the points', checked, and @var{count} the number of columns that its runs have about.  @var{found} is what @code{sweep} returns.
 ## @end deftypefn
 
 function found = run_sweep (plan, refused, scene, count)
@@ -11,6 +11,9 @@ function found = run_sweep (plan, refused, scene, count)
   to_do = find (! plan.done & cellfun (@isempty, refused) & ! plan.settings.gather);
   [engine, jobs] = engine_here (plan.settings.engine, plan.settings.jobs);
   [numbers, pictures] = deal ({"summary.csv", "sweep.json", "sweep.html"}, {"sweep.svg", "sweep.png"});
+  if (! isempty (plan.settings.random))
+    numbers{end+1} = "sensitivity.csv";
+  endif
   points = fullfile (plan.folder, "points");
   require_folder (points);
   announce_sweep (plan, refused, to_do, engine, jobs);
@@ -68,7 +71,7 @@ endfunction
 %!  plan.keys = arrayfun (@(k) sprintf ("k%d", k), 1:count, "uniformoutput", false);
 %!  [plan.columns, plan.values, plan.items] = deal ({"a"}, num2cell ((1:count).'), struct ("text", "u"));
 %!  plan.units = {" [m]"};
-%!  plan.settings = struct ("engine", "make", "jobs", 1, "keep", false, "gather", false);
+%!  plan.settings = struct ("engine", "make", "jobs", 1, "keep", false, "gather", false, "random", []);
 %!  plan.about = struct ("observe", "u"); [plan.name, plan.call] = deal ("x", "make sweep SCENE=x");
 %!  scene = struct ("title", "A rod", "duration", 1, "frames_per_second", 10, "frame_size", [1280 720]);
 %!  mkdir (fullfile (folder, "points")); write_text (fullfile (folder, "points", "k1.row"), "0.5\n");

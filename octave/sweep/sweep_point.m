@@ -103,7 +103,8 @@ endfunction
 %! said = evalc ("sweep_point ('swing', 'at', 'duration=0.1', 'modes', [0 0], 'observe', 'last t, model');");
 %! assert (strsplit (strtrim (said), "\n"){end}, "rigid");
 %!function check_typed (folder)
-%!  sweep_point ("swing", "at", "duration=0.1", "modes", [0 0], "pictures", false, "observe", "model", "output", folder);
+%!  sweep_point ("swing", "at", "duration=0.1", "modes", [0 0], "observe", "model", "pictures", false, ...
+%!               "output", folder);
 %!  assert (jsondecode (fileread (fullfile (folder, "summary.json"))).command, ...
 %!          "make point SCENE=swing MODES='0 0' AT='duration=0.1' OBSERVE=model");
 %!endfunction

@@ -12,9 +12,10 @@ function write_sweep_page (plan, found, state, pictures, folder)
   page.state = html_escape (state_text (found, state));
   page.command = html_escape (plan.call);
   page.figures = figures_of (pictures, plan);
+  page.sensitivity = sensitivity_of (plan, found, state.running);
   page.points = points_table (plan, found, 1:shown);
-  page.more = ["<a href=\"summary.csv\">summary.csv</a> has all that are done, <a href=\"sweep.json\">sweep.json</a>" ...
-               " what failed."];
+  page.more = ["<a href=\"summary.csv\">summary.csv</a> has all that are done," ...
+               " <a href=\"sweep.json\">sweep.json</a> what failed."];
   if (shown < count)
     page.more = sprintf ("These are the first %d of %d points: %s", shown, count, page.more);
   endif
@@ -38,6 +39,21 @@ function html = figures_of (pictures, plan)
     text = html_escape (["over " strjoin(plan.columns, ", ") ": " plan.about.observe]);
     html = [html, sprintf("<figure><img src=\"%s\" alt=\"%s\"></figure>\n", name{1}, text)];
   endfor
+endfunction
+
+function html = sensitivity_of (plan, found, running)
+  html = "";
+  if (! running)
+    cells = sweep_sensitivity (plan, found);
+    if (! isempty (cells))
+      heads = {"observation", "field", "points", "standardised coefficient", "R^2", "first order index", "its error"};
+      note = ["<p>By how many of its standard deviations an observation goes up where a field does by one of its" ...
+              " own, in the linear model that explains R^2 of its variance; and the share of the variance that the" ...
+              " field has alone. <a href=\"sensitivity.csv\">sensitivity.csv</a> has the numbers.</p>\n"];
+      html = ["<section aria-labelledby=\"sensitivity\">\n<h2 id=\"sensitivity\">Sensitivity</h2>\n", note, ...
+              html_table(heads, cells), "</section>\n"];
+    endif
+  endif
 endfunction
 
 function html = points_table (plan, found, index)
@@ -71,7 +87,8 @@ endfunction
 %!function html = page (folder, count, pictures)
 %!  plan = struct ("folder", folder, "name", "swing", "call", "make sweep VARY='a<b'", "columns", {{"a", "b"}}, ...
 %!                 "values", {repmat({0.1 "x"; [0 4] "y"; 3 "z"}, count/3, 1)}, "drawn", false, ...
-%!                 "settings", struct ("keep", true), "about", struct ("observe", "max u, model"), ...
+%!                 "settings", struct ("keep", true, "random", [], "vary", "a=0..1; b=0..1"), ...
+%!                 "about", struct ("observe", "max u, model"), ...
 %!                 "units", {{" [m]", ""}});
 %!  plan.keys = arrayfun (@(k) sprintf ("k%d", k), 1:count, "uniformoutput", false);
 %!  plan.items = struct ("text", {"max u", "model"});
@@ -96,6 +113,12 @@ endfunction
 %!             "VARY=&#39;a&lt;b&#39;", "<img src=\"sweep.svg\" alt=\"over a, b: max u, model\">", "summary.csv"}
 %!   assert (! isempty (strfind (html, text{1})), text{1});
 %! endfor
+%!test # of random points how much each matters
+%! cells = {"max u", "rod.length", 50, 0.25, 0.5, 0.125, 0.01};
+%! stand_in = {"cells = sweep_sensitivity", "plan, found", ...
+%!             "cells = {'max u', 'rod.length', 50, 0.25, 0.5, 0.125, 0.01};"};
+%! check = @(html) assert (! isempty (strfind (html, "<td>rod.length</td><td class=\"number\">50</td>")));
+%! with_stand_ins (stand_in, @() check (in_scratch (@(folder, scratch) page (folder, 3, {}))));
 %!test # a long one
 %! html = in_scratch (@(folder, scratch) page (folder, 1200, {}));
 %! assert (numel (strfind (html, "<tr")), 1002);
