@@ -3,7 +3,8 @@
 ## By how many of its standard deviations @var{y} (n-by-1) goes up where a column of @var{x} (n-by-d) does by one of
 ## its own and the others stay: the coefficients @var{beta} (1-by-d) of the linear regression of standardised numbers
 ## (Saltelli et al. 2008, Global Sensitivity Analysis, 1.2.5), and the @var{share} R^2 of the variance that it
-## explains, without which they say little.  All are NaN where there are too few rows, or something does not vary on its own.
+## explains, without which they say little.  All are NaN where there are too few rows, or something does not vary on
+## its own.
 ## @end deftypefn
 
 function [beta, share] = regression_coefficients (x, y)

@@ -2,8 +2,9 @@
 ## @deftypefn {} {@var{found} =} run_sweep (@var{plan}, @var{refused}, @var{scene}, @var{count})
 ## Run the points of a @var{plan} (see @code{plan_sweep}) that are not done and not @var{refused} (see
 ## @code{check_points}), and publish summary.csv, sweep.json and sweep.html before, as points end, and behind, where
-## they are random with sensitivity.csv; then sweep.svg and sweep.png, where one or two fields vary.  @var{scene} is
-## one of the points', checked, and @var{count} the number of columns that its runs have about.  @var{found} is what @code{sweep} returns.
+## they are random with sensitivity.csv; then sweep.svg and sweep.png, where fields vary.  @var{scene} is
+## one of the points', checked, and @var{count} the number of columns that its runs have about.  @var{found} is what
+## @code{sweep} returns.
 ## @end deftypefn
 
 function found = run_sweep (plan, refused, scene, count)
@@ -32,9 +33,13 @@ function found = run_sweep (plan, refused, scene, count)
   [found.columns, found.values] = deal (plan.columns, plan.values);
   tell_failures (plan, found);
   drawn = drawn_sweep (found, strcat ({plan.items.text}, plan.units));
+  draw = @draw_sweep;
+  if (numel (drawn.names) > 2)
+    draw = @draw_parallel;
+  endif
   output = struct ("folder", plan.folder, "pictures", plan.pictures && ! isempty (drawn.x));
   publish_study (output, numbers, pictures, ...
-                 @(aside) write (found, false, aside), @(scratch) draw_sweep (drawn, scene.title, scratch));
+                 @(aside) write (found, false, aside), @(scratch) draw (drawn, scene.title, scratch));
   if (exist (fullfile (plan.folder, "sweep.svg"), "file"))
     publish_run (plan.folder, {"sweep.html"}, ...
                  @(aside) write_sweep_page (plan, found, state_of (false), {"sweep.svg"}, aside));

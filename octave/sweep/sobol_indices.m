@@ -1,14 +1,15 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{index}, @var{error}, @var{degree}] =} sobol_indices (@var{x}, @var{y})
 ## The share of the variance of @var{y} (n-by-1) that each column of @var{x} (n-by-d) has alone, Sobol's indices of
-## first order (1993), where the columns are independent and uniform from -1 to 1, and the standard @var{error} of each.
+## first order (1993), where the columns are independent and uniform from -1 to 1, and the standard @var{error} of
+## each.
 ##
 ## They are those of the sum of Legendre polynomials of each column that fits the given points best (Li, Wang and
 ## Rabitz 2002, RS-HDMR; Sudret 2008): to that @var{degree} of up to 12, at most a third as many terms as points, with
 ## which the points are predicted best by the others.  What is not such a sum, interactions above all, is in no index.
-## Bias and error are those of the jackknife (Efron and Stein 1981), in which a point less moves the coefficients by what its
-## residual and leverage say; that the points of a Latin hypercube are spread evenly makes them better than that by a
-## third or so.  All are NaN where there are too few points, or @var{y} does not vary.
+## Bias and error are those of the jackknife (Efron and Stein 1981), in which a point less moves the coefficients by
+## what its residual and leverage say; that the points of a Latin hypercube are spread evenly makes them better than
+## that by a third or so.  All are NaN where there are too few points, or @var{y} does not vary.
 ## @end deftypefn
 
 function [index, error, degree] = sobol_indices (x, y)

@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{found} =} sweep (@var{scene}, @var{option}, @var{value}, @dots{})
 ## Run a scene at many points, each in a process of its own, and leave a table: summary.csv, a row a point that is
-## done, sweep.json, and sweep.html, in output/NAME/sweep/ or the folder of the option "output"; over one or two fields
-## that vary also sweep.svg and sweep.png; of random points sensitivity.csv (see @code{sweep_sensitivity}).
+## done, sweep.json, and sweep.html, in output/NAME/sweep/ or the folder of the option "output"; over fields that vary
+## also sweep.svg and sweep.png (see @code{draw_sweep}, @code{draw_parallel}); of random points sensitivity.csv (see
+## @code{sweep_sensitivity}).
 ##
 ## @var{scene} is a name or a path as for @code{driver}, whose options are those of all points.  Other options say
 ## which points, what of each is kept, and how they are run (see @code{sweep_settings}); a cell array as the first of
