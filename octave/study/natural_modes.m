@@ -5,10 +5,10 @@
 ## @code{driver}; without stated modes there are as many base functions as six digits take.  The option "film" (numbers
 ## of modes) leaves films of those, too (see @code{film_mode}).
 ##
-## Leaves modes.csv, modes.svg and modes.png (the slowest six, both ways) in the folder of the scene's output.
-## @var{table} is a struct array of mode, f (Hz), omega (rad/s), damping (ratio), growth (1/s, of what is
-## unstable), change (of omega when the base functions were doubled, relative) and share (of the kinetic energy, of
-## each body).
+## Leaves modes.csv, modes.svg and modes.png (the slowest six, both ways) in the folder of the scene's output (the
+## option "output"; "" leaves nothing).  @var{table} is a struct array of mode, f (Hz), omega (rad/s), damping (ratio),
+## growth (1/s, of what is unstable), change (of omega when the base functions were doubled, relative) and share (of
+## the kinetic energy, of each body).
 ## @end deftypefn
 
 function table = natural_modes (scene = "paper", varargin)

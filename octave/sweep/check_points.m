@@ -1,13 +1,13 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{refused}, @var{scene}] =} check_points (@var{which}, @var{plan})
+## @deftypefn {} {[@var{refused}, @var{scene}, @var{given}] =} check_points (@var{which}, @var{plan})
 ## What the checks of the scene @var{which} (see @code{kind_of}) say against the points of a @var{plan} (see
 ## @code{plan_sweep}), the first and those that are not done: a cellstr, "" where they take one.  Where they take none,
-## that is an error.  @var{scene} is the first one that is taken, checked.
+## that is an error.  @var{scene} is the first one that is taken, checked, and @var{given} the same before that.
 ## @end deftypefn
 
-function [refused, scene] = check_points (which, plan)
+function [refused, scene, given] = check_points (which, plan)
   refused = repmat ({""}, 1, numel (plan.keys));
-  scene = [];
+  scene = given = [];
   base = which;
   if (! any (strncmp (plan.columns, "argument.", 9)))
     base = scene_at (which, {}, {}, {});  # it is the same for all, and loaded once
@@ -15,10 +15,10 @@ function [refused, scene] = check_points (which, plan)
   for k = union (find (! plan.done), 1)
     show_progress (sprintf ("checking point %d of %d", k, numel (plan.keys)));
     try
-      checked = scene_at (base, plan.options, plan.columns, plan.values(k,:));
-      checked = kind_of (checked).check (checked);
+      unchecked = scene_at (base, plan.options, plan.columns, plan.values(k,:));
+      checked = kind_of (unchecked).check (unchecked);
       if (isempty (scene))
-        scene = checked;
+        [scene, given] = deal (checked, unchecked);
       endif
     catch err
       refused{k} = point_message (err);

@@ -36,8 +36,9 @@ endfunction
 %!  drawn = drawn_sweep (found, {"u"});
 %!endfunction
 %!test
-%! assert (of ({1 5; 2 5}), struct ("x", [1; 2], "names", {{"a"}}, "words", {{{}}}, "y", [1; NaN], "texts", {{"u"}}, ...
-%!                                  "failed", [false true]));
+%! expected = struct ("x", [1; 2], "names", {{"a"}}, "words", {{{}}}, "y", [1; NaN], "texts", {{"u"}}, ...
+%!                    "failed", [false true]);
+%! assert (of ({1 5; 2 5}), expected);
 %! assert (of ({1 5 "x"; 2 6 "x"}).names, {"a", "b"}); assert (of ({1 5 "x"; 2 6 "x"}).x, [1 5; 2 6]);
 %! assert (of ({1 "x"; 2 "x"}).names, {"a"});
 %!test # three, of which two are words

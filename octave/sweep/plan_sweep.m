@@ -27,7 +27,8 @@ function plan = plan_sweep (which, options)
   is_output = ismember (names, {"output", "pictures"});
   plan.options = sorted_pairs (options(reshape ([! is_output; ! is_output], 1, [])));
   plan.drawn = output.pictures && any (strcmp (names, "pictures"));
-  plan.about = struct ("program", program_key (), "scene", hash ("sha256", fileread (file))(1:16), ...
+  studied = any (ismember ({plan.items.part}, {"modes", "statics"}));
+  plan.about = struct ("program", program_key (studied), "scene", hash ("sha256", fileread (file))(1:16), ...
                        "options", repeat_command (plan.typed, plan.options), ...
                        "observe", strjoin ({plan.items.text}, ", "));
   plan.keys = point_keys (strjoin (struct2cell (plan.about), "\n"), plan.columns, plan.values);
@@ -81,6 +82,8 @@ endfunction
 %!  assert (! isempty (strfind (command, ["/it'\\''s $x/points' POINT=" first.keys{2}])));
 %!  keys = @(varargin) plan ("vary", "argument.1=2,3", varargin{:}).keys;
 %!  assert (keys ("tolerance", 1e-3, "observe", "model", "jobs", 1, "engine", "make", "keep", true), first.keys);
+%!  studies = @(observe) plan ("vary", "argument.1=2,3", "observe", observe).about.program;
+%!  assert (strcmp (studies ("model"), {studies("frames"), studies("model, modes.f(1)")}), [true false]);
 %!  others = {{"observe", "model"}, {"tolerance", 1e-3}, {"tolerance", 1e-3, "observe", "model", "modes", [0 1]}};
 %!  for other = others
 %!    assert (isempty (intersect (keys (other{1}{:}), first.keys)));

@@ -26,8 +26,8 @@ function found = sweep (scene = "paper", varargin)
     varargin = [{"table"}, varargin];
   endif
   plan = plan_sweep (scene, varargin);
-  [refused, checked] = check_points (scene, plan);
-  [plan.units, count] = observable_units (checked, plan.items);
+  [refused, checked, given] = check_points (scene, plan);
+  [plan.units, count] = observable_units (checked, plan.items, given);
   if (plan.settings.dry)
     found = [];
     print_commands (plan, refused);
@@ -134,5 +134,6 @@ endfunction
 %!   fail ("sweep ('swing', bad{k}, 'output', folder)", messages{k});
 %! endfor
 %! fail ("sweep ('swing', {'rod.length'; 1}, 'observe', 'max tip_z', 'output', folder)", "has no column tip_z");
+%! fail ("sweep ('swing', {'rod.length'; 1}, 'observe', 'modes.g', 'output', folder)", "modes has no g: it has f,");
 %! fail ("sweep (swing (), {'rod.length'; 1}, 'output', folder)", "a sweep takes a scene by its name or its file");
 %! assert (! isfolder (folder));

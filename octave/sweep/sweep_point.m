@@ -44,10 +44,20 @@ endfunction
 function lines = observe_run (which, settings, options, items, place)
   [columns, values] = sweep_table (settings);
   [scene, output] = scene_at (which, options, columns, values(1,:));
-  run = driver (scene, "output", place, "pictures", output.pictures, "command", typed (which, settings, options));
+  tables = verb_tables (scene, {items.part});
+  [names, table] = deal ({}, []);
+  if (! isempty (place) || ! all (ismember ({items.part}, {"modes", "statics"})))
+    [names, table, tables.summary] = run_of (scene, output, place, typed (which, settings, options));
+  endif
+  observed = @(item) text_of (observed_value (item, names, table, tables));
+  lines = arrayfun (observed, items, "uniformoutput", false);
+endfunction
+
+function [names, table, summary] = run_of (scene, output, place, command)
+  run = driver (scene, "output", place, "pictures", output.pictures, "command", command);
   kind = kind_of (run.scene);
   [names, table] = kind.columns (run.scene, run);
-  lines = arrayfun (@(item) text_of (observed_value (item, names, table, run.summary)), items, "uniformoutput", false);
+  summary = run.summary;
 endfunction
 
 ## what to type for the same run, wherever its files go
@@ -102,6 +112,11 @@ endfunction
 %!test # without a key a person sees the values
 %! said = evalc ("sweep_point ('swing', 'at', 'duration=0.1', 'modes', [0 0], 'observe', 'last t, model');");
 %! assert (strsplit (strtrim (said), "\n"){end}, "rigid");
+%!test # of modes and equilibrium, without a run
+%! said = evalc ("sweep_point ('swing', 'at', 'rod.length=0.5', 'observe', 'modes.f(1), statics.tip_y');");
+%! found = str2double (strsplit (strtrim (said), "\n")(end-1:end));
+%! assert (found, [sqrt(1.5*9.81/0.5)/(2*pi), -0.5], -0.01);
+%! assert (isempty (strfind (said, "integration")));
 %!function check_typed (folder)
 %!  sweep_point ("swing", "at", "duration=0.1", "modes", [0 0], "observe", "model", "pictures", false, ...
 %!               "output", folder);
