@@ -21,7 +21,7 @@ run_with_settings = settings = sweep_settings (); run_command
 draw_or_follow = $(if $(FUNCTION),argument_way (getenv ("FUNCTION"), getenv ("ARGUMENT")),draw_map ())
 
 .PHONY: help setup derive equations simulate models chart stability statics modes campbell response sweep point choices \
-	conditioning check check-slurm map systems pairs mutants fuzz clean dist
+	conditioning check check-slurm check-ssh map systems pairs mutants fuzz clean dist
 
 help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg' \
@@ -34,6 +34,7 @@ help:
 	@echo 'make equations   write the derived energies and equations of motion as output/equations.tex [MODES="2 2"]'
 	@echo 'make check       run all tests'
 	@echo 'make check-slurm a sweep in the queue of a Slurm that the test starts on this machine'
+	@echo 'make check-ssh   a sweep on a host, this machine by an sshd that the test starts'
 	@echo 'make chart       error against seconds and calls of all integrators: table and chart' \
 		'[SCENE=paper MODES="7 7" BUDGET=60 seconds]'
 	@echo 'make stability   where integrators turn unstable on SCENE=..., predicted and measured: table and chart;' \
@@ -112,6 +113,9 @@ check:
 
 check-slurm:
 	@tests/slurm/run
+
+check-ssh:
+	@tests/ssh/run
 
 map:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; addpath tests/map; $(draw_or_follow);'

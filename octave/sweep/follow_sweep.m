@@ -16,7 +16,7 @@ function found = follow_sweep (plan, found, to_do, engine, jobs, publish)
   if (strcmp (engine, "slurm"))
     gather = gather_command (plan, folder);
   endif
-  command = engine_command (engine, jobs, folder, plan.keys(to_do), commands, gather);
+  command = engine_command (engine, jobs, plan.settings, folder, plan.keys(to_do), commands, gather);
   job = start_tool (folder, engine, command);
   ended = false;
   unwind_protect
@@ -87,7 +87,7 @@ endfunction
 %!endfunction
 %!function check (folder)
 %!  points = fullfile (folder, "points"); mkdir (points);
-%!  plan = struct ("folder", folder, "keys", {{"a", "b", "c", "d"}});
+%!  plan = struct ("folder", folder, "keys", {{"a", "b", "c", "d"}}, "settings", take_settings ({}));
 %!  commands = {"false", "echo 1 >points/b.row; sleep 0.6", "echo no >points/c.failed; false", ...
 %!              "echo 'the last word' >&2; kill -9 $$"};
 %!  plan.command = @(k) strrep (commands{k}, "points/", [points "/"]);

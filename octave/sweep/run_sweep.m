@@ -10,10 +10,13 @@
 function found = run_sweep (plan, refused, scene, count)
   start = tic ();
   to_do = find (! plan.done & cellfun (@isempty, refused) & ! plan.settings.gather);
-  [engine, jobs] = engine_here (plan.settings.engine, plan.settings.jobs);
+  [engine, jobs] = engine_here (plan.settings);
   [numbers, pictures] = deal ({"summary.csv", "sweep.json", "sweep.html"}, {"sweep.svg", "sweep.png"});
   if (! isempty (plan.settings.random))
     numbers{end+1} = "sensitivity.csv";
+  endif
+  if (! isempty (plan.settings.hosts) && ! isempty (to_do))
+    refuse_hosts (plan.settings.hosts, plan);
   endif
   points = fullfile (plan.folder, "points");
   require_folder (points);
@@ -76,7 +79,7 @@ endfunction
 %!  plan.keys = arrayfun (@(k) sprintf ("k%d", k), 1:count, "uniformoutput", false);
 %!  [plan.columns, plan.values, plan.items] = deal ({"a"}, num2cell ((1:count).'), struct ("text", "u"));
 %!  plan.units = {" [m]"};
-%!  plan.settings = struct ("engine", "make", "jobs", 1, "keep", false, "gather", false, "random", []);
+%!  plan.settings = take_settings ({"engine", "make", "jobs", 1});
 %!  plan.about = struct ("observe", "u"); [plan.name, plan.call] = deal ("x", "make sweep SCENE=x");
 %!  scene = struct ("title", "A rod", "duration", 1, "frames_per_second", 10, "frame_size", [1280 720]);
 %!  mkdir (fullfile (folder, "points")); write_text (fullfile (folder, "points", "k1.row"), "0.5\n");
