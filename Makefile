@@ -47,7 +47,8 @@ help:
 	@echo 'make response    how the tips of SCENE=two_link_arm answer harmonic loads about its equilibrium' \
 		'[FREQUENCIES=0:0.1:50]: table and figure'
 	@echo 'make sweep       a scene at many points: table and chart' \
-		'[SCENE=swing VARY="rod.length=0.2:0.1:1" OBSERVE="max|tip_y|" ENGINE=parallel JOBS=2 KEEP=yes DRY=yes]'
+		'[SCENE=swing VARY="rod.length=0.2:0.1:1" OBSERVE="max|tip_y|" ENGINE=parallel JOBS=2 KEEP=yes DRY=yes' \
+		'HOSTS="node1,node2" LOAD=4 MEMORY=2G TIME_LIMIT=60]'
 	@echo 'make point       a scene with other fields, as a sweep has it: the observed values, and the run'"'"'s files' \
 		'[SCENE=swing AT="rod.length=0.2" OBSERVE="max|tip_y|" OUTPUT=folder]'
 	@echo 'make choices     all scenes that choose and 198 random ones: chosen models against far richer ones'

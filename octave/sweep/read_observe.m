@@ -23,7 +23,8 @@
 
 function observed = read_observe (text)
   items = strtrim (ostrsplit ([text " "], ","));
-  observed = cellfun (@read_item, items);
+  observed = cellfun (@read_item, items, "uniformoutput", false);
+  observed = [observed{:}];
   [~, first] = unique ({observed.text}, "first");
   twice = setdiff (1:numel (items), first);
   if (! isempty (twice))

@@ -19,9 +19,9 @@ function [index, error, degree] = sobol_indices (x, y)
   if (isempty (degrees) || range (y) == 0)
     return;
   endif
-  fits = arrayfun (@(degree) fit_of (x, y, degree), degrees);
-  [~, degree] = min ([fits.predicted]);
-  fit = fits(degree);
+  fits = arrayfun (@(degree) fit_of (x, y, degree), degrees, "uniformoutput", false);
+  [~, degree] = min (cellfun (@(fit) fit.predicted, fits));
+  fit = fits{degree};
 
   without = fit.coefficients - fit.inverse.*fit.left_out.';
   squares = fit.squares - fit.residual.'.*fit.left_out.';
