@@ -88,7 +88,7 @@ endfunction
 %!function check (folder)
 %!  points = fullfile (folder, "points"); mkdir (points);
 %!  plan = struct ("folder", folder, "keys", {{"a", "b", "c", "d"}}, "settings", take_settings ({}));
-%!  commands = {"false", "echo 1 >points/b.row; sleep 0.6", "echo no >points/c.failed; false", ...
+%!  commands = {"false", "echo 1 >points/b.row; sleep 1.5", "echo no >points/c.failed; false", ...
 %!              "echo 'the last word' >&2; kill -9 $$"};
 %!  plan.command = @(k) strrep (commands{k}, "points/", [points "/"]);
 %!  found = struct ("observed", {{"5"; ""; ""; ""}}, "done", [true false false false], "message", {{"", "", "", ""}});
