@@ -21,7 +21,7 @@ run_with_settings = settings = sweep_settings (); run_command
 draw_or_follow = $(if $(FUNCTION),argument_way (getenv ("FUNCTION"), getenv ("ARGUMENT")),draw_map ())
 
 .PHONY: help setup derive equations simulate models chart stability statics modes campbell response sweep point choices \
-	conditioning check check-slurm map systems pairs mutants fuzz clean dist
+	conditioning check check-slurm check-ssh map systems pairs mutants fuzz clean dist
 
 help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg' \
@@ -34,6 +34,7 @@ help:
 	@echo 'make equations   write the derived energies and equations of motion as output/equations.tex [MODES="2 2"]'
 	@echo 'make check       run all tests'
 	@echo 'make check-slurm a sweep in the queue of a Slurm that the test starts on this machine'
+	@echo 'make check-ssh   a sweep on a host, this machine by an sshd that the test starts'
 	@echo 'make chart       error against seconds and calls of all integrators: table and chart' \
 		'[SCENE=paper MODES="7 7" BUDGET=60 seconds]'
 	@echo 'make stability   where integrators turn unstable on SCENE=..., predicted and measured: table and chart;' \
@@ -46,7 +47,10 @@ help:
 	@echo 'make response    how the tips of SCENE=two_link_arm answer harmonic loads about its equilibrium' \
 		'[FREQUENCIES=0:0.1:50]: table and figure'
 	@echo 'make sweep       a scene at many points: table and chart' \
-		'[SCENE=swing VARY="rod.length=0.2:0.1:1" OBSERVE="max|tip_y|" ENGINE=parallel JOBS=2 KEEP=yes DRY=yes]'
+		'[SCENE=swing VARY="rod.length=0.2:0.1:1" OBSERVE="max|tip_y|" ENGINE=parallel JOBS=2 KEEP=yes DRY=yes' \
+		'HOSTS="node1,node2" LOAD=4 MEMORY=2G TIME_LIMIT=60]'
+	@echo 'make point       a scene with other fields, as a sweep has it: the observed values, and the run'"'"'s files' \
+		'[SCENE=swing AT="rod.length=0.2" OBSERVE="max|tip_y|" OUTPUT=folder]'
 	@echo 'make choices     all scenes that choose and 198 random ones: chosen models against far richer ones'
 	@echo 'make conditioning    condition number of the mass matrix of arcs against the number of base functions: table'
 	@echo 'make map         the folders of octave/ and the calls between them: output/map.svg, .png' \
@@ -110,6 +114,9 @@ check:
 
 check-slurm:
 	@tests/slurm/run
+
+check-ssh:
+	@tests/ssh/run
 
 map:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; addpath tests/map; $(draw_or_follow);'

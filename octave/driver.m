@@ -7,7 +7,7 @@
 ## "auto"), "solver" (a name), "tolerance" (m, or "pixel"), "size" ([W H] of a frame in pixels); "output" is the folder
 ## to write into (default output/NAME; "" writes nothing), and "pictures" (true or false) says whether there are to be
 ## more than history.csv and summary.json.  "dense" (1/s) adds dense.csv, a table like history.csv of so many times a
-## second.
+## second; "command" is what summary.json has to type for the run, where that is not this call.
 ##
 ## @var{result}, where it is asked for, is the run (see @code{kind_of}) with its scene and
 ## summary.
@@ -48,6 +48,9 @@ function result = run_scene (scene, options)
   end_try_catch
   summary = summarise (kind, name, scene, run, choice);
   summary.command = command;
+  if (! isempty (output.command))
+    summary.command = output.command;
+  endif
   summary = write_run (output, kind, scene, run, summary, start);
   result = run;
   result.scene = scene;
@@ -60,5 +63,5 @@ endfunction
 %! assert (result.history.t(end), 1.8);
 %! assert (result.summary.method, "waveform");
 %!error <model.modes is "many": it takes "auto" or two numbers of modes \[N1 N2\]> driver ("paper", "modes", "many")
-%!error <"speed" is not an option: those are modes, solver, tolerance, size, output, pictures, dense>
+%!error <"speed" is not an option: those are modes, solver, tolerance, size, output, pictures, dense, command>
 %! driver ("paper", "speed", 3);

@@ -1,5 +1,7 @@
 ## What `make simulate', `make models' and so on run: the function `command' with the arguments of the environment, and
-## with those `settings' that it has of its own; an error is one line and status 1.
+## with those `settings' that it has of its own; an error is one line and status 1.  One that is ended leaves no file
+## octave-workspace.
+sigterm_dumps_octave_core (false);
 if (! exist ("settings", "var"))
   settings = cell (0, 3);
 endif

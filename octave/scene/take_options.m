@@ -2,12 +2,12 @@
 ## @deftypefn {} {[@var{scene}, @var{output}] =} take_options (@var{scene}, @var{folder}, @var{options})
 ## Put the options of @code{driver}, a cell array of names and values, into the scene's fields, and those that say what
 ## is written into the struct @var{output}: its @code{folder} (@var{folder}, unless the option "output" replaces it; ""
-## writes nothing), whether there are @code{pictures} (true, unless the option is false), and how many times a second
-## (1/s) a @code{dense} table has, [] for none.
+## writes nothing), whether there are @code{pictures} (true, unless the option is false), how many times a second
+## (1/s) a @code{dense} table has, [] for none, and the @code{command} that the summary has, "" for the call itself.
 ## @end deftypefn
 
 function [scene, output] = take_options (scene, folder, options)
-  output = struct ("folder", folder, "pictures", true, "dense", []);
+  output = struct ("folder", folder, "pictures", true, "dense", [], "command", "");
   if (mod (numel (options), 2) != 0)
     scene_error ("driver: options come as names and values, in pairs");
   endif
@@ -27,10 +27,12 @@ function [scene, output] = take_options (scene, folder, options)
         scene_error ("driver: dense is %s: it takes a positive number, of times a second", disp_name (value));
       endif
       output.dense = value;
+    elseif (strcmp (name, "command") && ischar (value))
+      output.command = value;
     elseif (ischar (name) && isfield (fields, name))
       scene = setfield (scene, fields.(name){:}, value);
     else
-      scene_error ("driver: \"%s\" is not an option: those are %s, output, pictures, dense", disp_name (name), ...
+      scene_error ("driver: \"%s\" is not an option: those are %s, output, pictures, dense, command", disp_name (name), ...
                    strjoin (fieldnames (fields).', ", "));
     endif
   endfor
@@ -42,7 +44,9 @@ endfunction
 
 %!test
 %! [scene, output] = take_options (struct (), "output/x", {"modes", [1 2], "output", "here"});
-%! assert (scene.model.modes, [1 2]); assert (output, struct ("folder", "here", "pictures", true, "dense", []));
+%! assert (scene.model.modes, [1 2]);
+%! assert (output, struct ("folder", "here", "pictures", true, "dense", [], "command", ""));
+%! assert (nthargout (2, @take_options, scene, "here", {"command", "make"}).command, "make");
 %! assert (nthargout (2, @take_options, scene, "here", {"dense", 1e3}).dense, 1e3);
 %! assert (nthargout (2, @take_options, scene, "here", {"pictures", false}).pictures, false);
 %! assert (nthargout (2, @take_options, scene, "here", {"pictures", 1}).pictures, true);

@@ -8,10 +8,10 @@
 ## The option "time" (s) asks for those about the state that a run of the scene has then, with frozen coefficients and
 ## the modes of the run, instead (see @code{at_state}): where a mode is fast against the motion, that is how it rings.
 ##
-## Leaves modes.csv, modes.svg and modes.png (the slowest six, both ways) in the folder of the scene's output.
-## @var{table} is a struct array of mode, f (Hz), omega (rad/s), damping (ratio), growth (1/s, of what is
-## unstable), change (of omega when the base functions were doubled, relative) and share (of the kinetic energy, of
-## each body).
+## Leaves modes.csv, modes.svg and modes.png (the slowest six, both ways) in the folder of the scene's output (the
+## option "output"; "" leaves nothing).  @var{table} is a struct array of mode, f (Hz), omega (rad/s), damping (ratio),
+## growth (1/s, of what is unstable), change (of omega when the base functions were doubled, relative) and share (of
+## the kinetic energy, of each body).
 ## @end deftypefn
 
 function table = natural_modes (scene = "paper", varargin)

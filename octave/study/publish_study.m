@@ -3,9 +3,13 @@
 ## Leave what a study has found in the folder of @var{output} (see @code{take_options}), and say what is there: the
 ## files of @var{numbers} (cellstr), which @var{write} (folder) writes, first; then those of @var{pictures} (cellstr),
 ## which each @var{draw} (scratch) starts to draw, see @code{draw_files}.  A picture that cannot be made is a warning.
+## Where the folder is "", nothing is left.
 ## @end deftypefn
 
 function publish_study (output, numbers, pictures, write, varargin)
+  if (isempty (output.folder))
+    return;
+  endif
   publish_run (output.folder, [pictures, numbers], write);
   names = numbers;
   if (output.pictures)
@@ -54,3 +58,7 @@ endfunction
 %! lines = strsplit (strtrim (said), "\n");
 %! assert (lines{2}, "warning: a.svg is missing: gnuplot failed with status 1: no");
 %! assert (! isempty (regexp (lines{1}, "/ has a.csv, a.svg$"))); assert (numel (lines), 4);
+%!test # nothing
+%! no = @(varargin) error ("written");
+%! said = evalc ("publish_study (struct ('folder', '', 'pictures', true), {'a'}, {'b'}, no, no);");
+%! assert (said, "");

@@ -4,7 +4,8 @@
 ## The checked scene of a study, its kind (see @code{kind_of}), where its files go, and a function that says how many
 ## seconds of the study are @var{left}: @var{which} and @var{options} (a cell array) are arguments as for
 ## @code{driver}, and the option "budget", the seconds that the study may take (default 60); @var{change} (scene) is
-## what the study makes of the scene before it is checked.  A folder that cannot be written is an error.
+## what the study makes of the scene before it is checked.  A folder that cannot be written is an error; none, "", is
+## for a study that leaves nothing.
 ## @end deftypefn
 
 function [scene, kind, output, left] = study_scene (which, options, change = @(scene) scene)
@@ -24,7 +25,9 @@ function [scene, kind, output, left] = study_scene (which, options, change = @(s
     scene_error ("duration is %g: a study takes more than one frame, at %g frames a second", scene.duration, ...
                  scene.frames_per_second);
   endif
-  require_folder (output.folder);
+  if (! isempty (output.folder))
+    require_folder (output.folder);
+  endif
 endfunction
 
 %!error <cannot be made|can be written> study_scene ("paper", {"output", "/proc/nowhere"})

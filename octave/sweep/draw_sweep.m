@@ -41,10 +41,6 @@ function step = step_of (x)
   endif
 endfunction
 
-function yes = is_wide (x)
-  yes = min (x) > 0 && max (x) >= 100*min (x);
-endfunction
-
 ## a blank line between the rows of a grid, and what has no value as gnuplot's own word for it, not as a break
 function table = with_breaks (table, grid)
   table(! isfinite (table)) = 1e300;  # above what any axis shows; sweep.gp leaves it out

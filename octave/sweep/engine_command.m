@@ -1,15 +1,16 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{command} =} engine_command (@var{engine}, @var{jobs}, @var{folder}, @var{names}, @
-##   @var{commands}, @var{gather})
-## What distributes the @var{commands} (cellstr) among so many @var{jobs} at a time: a shell command for the
-## @var{folder}, in which their list is written, each under its name of @var{names}.  The @var{engine} is "parallel",
-## GNU parallel, with the list of what ended when and how in joblog; "make", which is always there; or "slurm", an
-## array of at most 1000 tasks in Slurm's queue (for which the user's SBATCH_ variables hold: partition, time, memory),
-## and the command @var{gather} behind them all, in a job that depends on theirs.  None stops at a point that fails.
-## A task that Slurm puts back into the queue begins at its first point that has no row.
+## @deftypefn {} {@var{command} =} engine_command (@var{engine}, @var{jobs}, @var{settings}, @var{folder}, @
+##   @var{names}, @var{commands}, @var{gather})
+## What distributes the @var{commands} (cellstr) among so many @var{jobs} at a time, within the limits of load, memory
+## and time and on the hosts of the @var{settings} (see @code{sweep_settings}): a shell command for the @var{folder}, in
+## which their list is written, each under its name of @var{names}.  The @var{engine} is "parallel", GNU parallel, with
+## the list of what ended when and how in joblog; "make", which is always there; or "slurm", an array of at most 1000
+## tasks in Slurm's queue (for which the user's SBATCH_ variables hold: partition, time, memory), and the command
+## @var{gather} behind them all, in a job that depends on theirs.  None stops at a point that fails.  A task that Slurm
+## puts back into the queue begins at its first point that has no row.
 ## @end deftypefn
 
-function command = engine_command (engine, jobs, folder, names, commands, gather = "")
+function command = engine_command (engine, jobs, settings, folder, names, commands, gather = "")
   of_make_sweep = [{"MAKEFLAGS", "MFLAGS", "MAKELEVEL", "MAKEOVERRIDES"}, toupper(sweep_settings ()(:,1)).'];
   clean = sprintf ("unset %s; export QUIET=1; ", strjoin (of_make_sweep, " "));
   put = @(name, template, varargin) write_text (fullfile (folder, name), sprintf (template, varargin{:}));
@@ -17,13 +18,17 @@ function command = engine_command (engine, jobs, folder, names, commands, gather
   switch (engine)
     case "parallel"
       put ("commands", "%s\n", commands{:});
-      command = sprintf (["PARALLEL_HOME=$PWD PARALLEL_SHELL=/bin/sh exec parallel --plain --will-cite --jobs %d" ...
-                          " --joblog joblog --arg-file commands"], jobs);
+      command = ["PARALLEL_HOME=$PWD PARALLEL_SHELL=/bin/sh exec parallel --plain --will-cite --joblog joblog", ...
+                 " --arg-file commands", option(" --jobs %d", jobs(isfinite (jobs))), ...
+                 option(" --load %g", settings.load), option(" --memfree %s", settings.memory)];
+      if (! isempty (settings.hosts))
+        command = [command " --env QUIET --sshlogin " shell_string(settings.hosts)];
+      endif
     case "make"
       every = strjoin (names, " ");
       rules = sprintf ("%s:\n\t@%s\n", strrep (lines, "$", "$$"){:});
       put ("commands", ".PHONY: all %s\nall: %s\n%s", every, every, rules);
-      command = sprintf ("exec make -s -k -j %d -f commands", jobs);
+      command = [sprintf("exec make -s -k -j %d -f commands", jobs), option(" -l %g", settings.load)];
     case "slurm"
       tasks = min (numel (names), 1000);
       put ("commands", "[ -e ../points/%s.row ] || %s\n", lines{:});
@@ -34,15 +39,25 @@ function command = engine_command (engine, jobs, folder, names, commands, gather
       if (isfinite (jobs))
         range = sprintf ("%s%%%d", range, jobs);
       endif
-      command = ["array=$(sbatch --parsable --requeue --output=/dev/null --array=" range " task) && exec sbatch" ...
-                 " --wait --output=/dev/null --dependency=\"afterany:${array%%;*}\" gather"];
+      minutes = ceil (ceil (numel (names)/tasks)*(settings.time_limit + 1)/60);
+      limits = [option(" --mem=%s", settings.memory), option(" --time=%d", minutes)];
+      command = ["array=$(sbatch --parsable --requeue --output=/dev/null" limits " --array=" range " task) &&" ...
+                 " exec sbatch --wait --output=/dev/null --dependency=\"afterany:${array%%;*}\" gather"];
   endswitch
   command = [clean command];
 endfunction
 
+## nothing where there is no value
+function text = option (template, value)
+  text = "";
+  if (! isempty (value))
+    text = sprintf (template, value);
+  endif
+endfunction
+
 %!function said = run_all (folder, engine, commands)
 %!  names = arrayfun (@(k) sprintf ("p%d", k), 1:numel (commands), "uniformoutput", false);
-%!  command = engine_command (engine, 2, folder, names, commands);
+%!  command = engine_command (engine, 2, take_settings ({}), folder, names, commands);
 %!  [~, ~] = system (["cd '" folder "' && " command " >/dev/null 2>&1"]);
 %!  said = fileread (fullfile (folder, "said"));
 %!endfunction
@@ -52,6 +67,18 @@ endfunction
 %!  assert (sort (strsplit (strtrim (said), "\n")), {"$a it's #", "1"});
 %!endfunction
 %!test # all of them, beside one that fails, by what is here
-%! for engine = unique ({"make", engine_here("auto", 2)})
+%! for engine = unique ({"make", engine_here(take_settings ({"jobs", 2}))})
 %!   check (engine{1});
 %! endfor
+%!function said = limited (folder, engine, varargin)
+%!  settings = take_settings (varargin);
+%!  said = engine_command (engine, 2, settings, folder, {"p1"}, {"true"}, "true");
+%!endfunction
+%!test # limits and hosts, where they are stated
+%! of = @(varargin) in_scratch (@(folder, scratch) limited (folder, varargin{:}));
+%! has = @(text, words) ! isempty (strfind (text, words));
+%! assert (has (of ("parallel"), "--arg-file commands --jobs 2")); assert (has (of ("parallel"), "sshlogin"), false);
+%! assert (has (of ("parallel", "load", 1.5, "memory", "2G"), " --load 1.5 --memfree 2G"));
+%! assert (has (of ("parallel", "hosts", "a,2/b"), " --env QUIET --sshlogin 'a,2/b'"));
+%! assert (has (of ("make", "load", 1.5), "exec make -s -k -j 2 -f commands -l 1.5"));
+%! assert (has (of ("slurm", "memory", "2G", "time_limit", 100), "--output=/dev/null --mem=2G --time=2 --array"));

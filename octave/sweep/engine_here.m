@@ -1,15 +1,19 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{engine}, @var{jobs}] =} engine_here (@var{engine}, @var{jobs})
-## What distributes the points of a sweep (see @code{engine_command}), and how many run at a time, where that
-## @var{engine} and so many @var{jobs} were asked for.  By default these are as many as this machine has processors,
-## and with Slurm as many as it allows, Inf; "auto" is GNU parallel where it is installed and there is more than one
-## job, else make.
+## @deftypefn {} {[@var{engine}, @var{jobs}] =} engine_here (@var{settings})
+## What distributes the points of a sweep (see @code{engine_command}), and how many run at a time, where the
+## @var{settings} (see @code{sweep_settings}) have an engine, jobs, hosts and limits.  By default these are as many as
+## this machine has processors, and with Slurm or on hosts as many as they allow, Inf; "auto" is GNU parallel where it
+## is installed and there is more than one job, else make.
 ## @end deftypefn
 
-function [engine, jobs] = engine_here (engine, jobs)
+function [engine, jobs] = engine_here (settings)
+  [engine, jobs] = deal (settings.engine, settings.jobs);
+  if (! isempty (settings.hosts) && strcmp (engine, "auto"))
+    engine = "parallel";
+  endif
   if (isempty (jobs))
     jobs = nproc ("current");
-    if (strcmp (engine, "slurm"))
+    if (strcmp (engine, "slurm") || ! isempty (settings.hosts))
       jobs = Inf;
     endif
   endif
@@ -23,6 +27,20 @@ function [engine, jobs] = engine_here (engine, jobs)
       engine = "parallel";
     endif
   endif
+  refuse_others (settings, engine);
+endfunction
+
+## what is asked of an engine that cannot have it
+function refuse_others (settings, engine)
+  takers = struct ("hosts", {{"parallel"}}, "load", {{"parallel", "make"}}, "memory", {{"parallel", "slurm"}});
+  for [engines, name] = takers
+    if (! isempty (settings.(name)) && ! any (strcmp (engine, engines)))
+      scene_error ("%s takes ENGINE=%s, and this is %s", toupper (name), strjoin (engines, " or "), engine);
+    endif
+  endfor
+  if (! isempty (settings.memory) && isempty (regexp (settings.memory, '^[1-9]\d*[KMGT]$', "once")))
+    scene_error ("memory is %s: it takes a whole number and K, M, G or T, as in MEMORY=2G", settings.memory);
+  endif
 endfunction
 
 ## another tool is called so, too
@@ -30,9 +48,15 @@ function yes = has_parallel ()
   yes = system ("parallel --version 2>/dev/null | grep -q '^GNU parallel'") == 0;
 endfunction
 
-%!assert (nthargout (1:2, @engine_here, "make", 8), {"make", 8})
-%!assert (nthargout (1:2, @engine_here, "make", []), {"make", nproc("current")})
-%!assert (engine_here ("auto", 1), "make")
+%!function [engine, jobs] = of (engine, jobs, varargin)
+%!  settings = take_settings ([{"engine", engine, "jobs", jobs}, varargin]);
+%!  [engine, jobs] = engine_here (settings);
+%!endfunction
+%!assert (nthargout (1:2, @of, "make", 8), {"make", 8})
+%!assert (nthargout (1:2, @of, "make", []), {"make", nproc("current")})
+%!assert (of ("auto", 1), "make")
+%!error <HOSTS takes ENGINE=parallel, and this is make> of ("make", 2, "hosts", "a")
+%!error <MEMORY takes ENGINE=parallel or slurm, and this is make> of ("make", 2, "memory", "2G")
 %!function check (said, expected)
 %!  path = getenv ("PATH");
 %!  unwind_protect
@@ -40,8 +64,10 @@ endfunction
 %!    write_text (fullfile (folder, "parallel"), sprintf ("#!/bin/sh\necho '%s'\n", said));
 %!    system (["chmod +x " fullfile(folder, "parallel")]);
 %!    setenv ("PATH", [folder ":" path]);
-%!    assert (engine_here ("auto", 2), expected);
-%!    assert (engine_here ("parallel", 1), "parallel");
+%!    assert (of ("auto", 2), expected);
+%!    assert (of ("parallel", 1), "parallel");
+%!    assert (nthargout (1:2, @of, "auto", [], "hosts", "a"), {"parallel", Inf});
+%!    fail ("of ('parallel', 1, 'memory', '2 G')", "memory is 2 G: it takes a whole number and K, M, G or T");
 %!  unwind_protect_cleanup
 %!    setenv ("PATH", path); confirm_recursive_rmdir (false, "local"); rmdir (folder, "s");
 %!  end_unwind_protect
@@ -56,7 +82,7 @@ endfunction
 %!    write_text (fullfile (folder, "sbatch"), sprintf ("#!/bin/sh\nexit %d\n", status));
 %!    system (["chmod +x " fullfile(folder, "sbatch")]);
 %!    setenv ("PATH", [folder ":" path]);
-%!    assert (nthargout (1:2, @engine_here, "slurm", jobs), {"slurm", [jobs, Inf](1)});
+%!    assert (nthargout (1:2, @of, "slurm", jobs), {"slurm", [jobs, Inf](1)});
 %!  unwind_protect_cleanup
 %!    setenv ("PATH", path); confirm_recursive_rmdir (false, "local"); rmdir (folder, "s");
 %!  end_unwind_protect

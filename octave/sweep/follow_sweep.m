@@ -16,7 +16,7 @@ function found = follow_sweep (plan, found, to_do, engine, jobs, publish)
   if (strcmp (engine, "slurm"))
     gather = gather_command (plan, folder);
   endif
-  command = engine_command (engine, jobs, folder, plan.keys(to_do), commands, gather);
+  command = engine_command (engine, jobs, plan.settings, folder, plan.keys(to_do), commands, gather);
   job = start_tool (folder, engine, command);
   ended = false;
   unwind_protect
@@ -37,20 +37,25 @@ function found = follow_sweep (plan, found, to_do, engine, jobs, publish)
   end_unwind_protect
 endfunction
 
-## A queue says late that it is empty.
+## Looking takes a twentieth of the time, at most.  A queue says late that it is empty.
 function found = watch (plan, found, pid, publish, is_queue)
   start = tic ();
   begun = counted (found);
+  look = tic ();
+  seconds = 0;
   do
-    look = tic ();
     [ended, ~] = waitpid (pid, WNOHANG ());
-    before = counted (found);
-    found = gather_rows (plan, found);
-    if (counted (found) != before)
-      publish (found, true);
+    if (ended != 0 || toc (look) > 20*seconds)
+      look = tic ();
+      before = counted (found);
+      found = gather_rows (plan, found);
+      if (counted (found) != before)
+        publish (found, true);
+      endif
+      show_progress (sweep_progress (found, counted (found) - begun, toc (start)));
+      seconds = toc (look);
     endif
-    show_progress (sweep_progress (found, counted (found) - begun, toc (start)));
-    pause ((ended == 0)*max (0.2, 20*toc (look)));  # a twentieth of the time, at most
+    pause (0.2*(ended == 0));
   until (ended != 0 || (is_queue && counted (found) == numel (plan.keys)))
 endfunction
 
@@ -82,8 +87,8 @@ endfunction
 %!endfunction
 %!function check (folder)
 %!  points = fullfile (folder, "points"); mkdir (points);
-%!  plan = struct ("folder", folder, "keys", {{"a", "b", "c", "d"}});
-%!  commands = {"false", "echo 1 >points/b.row; sleep 0.6", "echo no >points/c.failed; false", ...
+%!  plan = struct ("folder", folder, "keys", {{"a", "b", "c", "d"}}, "settings", take_settings ({}));
+%!  commands = {"false", "echo 1 >points/b.row; sleep 1.5", "echo no >points/c.failed; false", ...
 %!              "echo 'the last word' >&2; kill -9 $$"};
 %!  plan.command = @(k) strrep (commands{k}, "points/", [points "/"]);
 %!  found = struct ("observed", {{"5"; ""; ""; ""}}, "done", [true false false false], "message", {{"", "", "", ""}});

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{command} =} gather_command (@var{plan}, @var{folder})
 ## What makes the table of a @var{plan} (see @code{plan_sweep}) of the rows that are there, and runs nothing: a shell
-## command, which reads the points from a file that is written into the @var{folder}.
+## command, which reads the points from a file that is written into the @var{folder}, or has the ranges of random ones.
 ## @end deftypefn
 
 function command = gather_command (plan, folder)
@@ -13,7 +13,11 @@ function command = gather_command (plan, folder)
   if (plan.drawn || ! plan.pictures)
     pictures = {"pictures", plan.pictures};
   endif
-  given = [{"over", file, "observe", plan.about.observe, "keep", plan.settings.keep}, pictures, ...
+  points = {"over", file};
+  if (! isempty (plan.settings.random))
+    points = {"vary", plan.settings.vary, "random", plan.settings.random, "seed", plan.settings.seed};
+  endif
+  given = [points, {"observe", plan.about.observe, "keep", plan.settings.keep}, pictures, ...
            {"output", make_absolute_filename(plan.folder), "gather", true}];
   root = fileparts (fileparts (which ("driver")));
   command = repeat_command (plan.typed, [plan.options, given], ["make -s -C " shell_string(root) " sweep"]);
@@ -27,6 +31,8 @@ endfunction
 %!  again = plan_sweep ("chain", {"over", fullfile(scratch, "points.csv"), "tolerance", 0.333333333333333, ...
 %!                                "solver", "radau", "observe", "model"});
 %!  assert (again.keys, plan.keys);
+%!  random = plan_sweep ("chain", {"vary", "duration=0.1..0.3", "random", 4, "seed", 5, "output", folder});
+%!  assert (! isempty (strfind (gather_command (random, scratch), "VARY='duration=0.1..0.3' RANDOM=4 SEED=5 ")));
 %!  assert (system ([command " >/dev/null"]), 0);
 %!  json = jsondecode (fileread (fullfile (folder, "sweep.json")));
 %!  assert ([json.points, json.done, json.failed, json.missing], [4 0 0 4]);

@@ -12,15 +12,19 @@
 ## in the place of a column is its absolute value
 ## @item estimated_error_m, seconds.integration, modes(2)
 ## a number or a text of summary.json
+## @item modes.f(1), statics.tip_y
+## a number of what @code{natural_modes} or @code{statics} find (see @code{verb_tables}), which each point then runs,
+## too
 ## @end table
 ##
-## @var{observed} is a struct array of text, part (as "max", "at" or "summary"), absolute, name, time and index (0
-## where none is stated).
+## @var{observed} is a struct array of text, part (as "max", "at", "summary", "modes" or "statics"), absolute, name,
+## time and index (0 where none is stated).
 ## @end deftypefn
 
 function observed = read_observe (text)
   items = strtrim (ostrsplit ([text " "], ","));
-  observed = cellfun (@read_item, items);
+  observed = cellfun (@read_item, items, "uniformoutput", false);
+  observed = [observed{:}];
   [~, first] = unique ({observed.text}, "first");
   twice = setdiff (1:numel (items), first);
   if (! isempty (twice))
@@ -42,11 +46,20 @@ function item = read_item (text)
     item.time = str2double (at_time{2});
     item = of_name (item, at_time{1});
   elseif (! isempty (of_summary))
-    item.name = of_summary{1};
+    [item.part, item.name] = part_of (of_summary{1});
     item.index = str2double (["0" of_summary{2}(2:end-1)]);
   else
     scene_error (["OBSERVE: \"%s\" is not understood: it takes max, min, mean, range, rms, first or last of a" ...
-                  " column, as max|tip_y|, a column at a time, as psi at t=0.5, or a name of summary.json"], text);
+                  " column, as max|tip_y|, a column at a time, as psi at t=0.5, a name of summary.json, or" ...
+                  " modes.f(1) or statics.tip_y"], text);
+  endif
+endfunction
+
+function [part, name] = part_of (name)
+  part = "summary";
+  verb = regexp (name, '^(modes|statics)\.(.*)$', "tokens", "once");
+  if (! isempty (verb))
+    [part, name] = verb{:};
   endif
 endfunction
 
@@ -69,6 +82,8 @@ endfunction
 %!assert (one ("estimated_error_m"), of ("summary", false, "estimated_error_m", [], 0))
 %!assert (one ("modes(2)"), of ("summary", false, "modes", [], 2))
 %!assert (one ("seconds.total"), of ("summary", false, "seconds.total", [], 0))
+%!assert (one ("modes.f(2)"), of ("modes", false, "f", [], 2))
+%!assert (one ("statics.reaction_x"), of ("statics", false, "reaction_x", [], 0))
 %!assert ({read_observe("max psi, model").text}, {"max psi", "model"})
 %!error <OBSERVE: last psi stands there twice> read_observe ("last psi, model, last psi")
 %!test

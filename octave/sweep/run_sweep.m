@@ -1,16 +1,23 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{found} =} run_sweep (@var{plan}, @var{refused}, @var{scene}, @var{count})
 ## Run the points of a @var{plan} (see @code{plan_sweep}) that are not done and not @var{refused} (see
-## @code{check_points}), and publish summary.csv and sweep.json before, as points end, and behind; then sweep.svg and
-## sweep.png, where one or two fields vary.  @var{scene} is one of the points', checked, and @var{count} the number of
-## columns that its runs have about.  @var{found} is what @code{sweep} returns.
+## @code{check_points}), and publish summary.csv, sweep.json and sweep.html before, as points end, and behind, where
+## they are random with sensitivity.csv; then sweep.svg and sweep.png, where fields vary.  @var{scene} is
+## one of the points', checked, and @var{count} the number of columns that its runs have about.  @var{found} is what
+## @code{sweep} returns.
 ## @end deftypefn
 
 function found = run_sweep (plan, refused, scene, count)
   start = tic ();
   to_do = find (! plan.done & cellfun (@isempty, refused) & ! plan.settings.gather);
-  [engine, jobs] = engine_here (plan.settings.engine, plan.settings.jobs);
-  [numbers, pictures] = deal ({"summary.csv", "sweep.json"}, {"sweep.svg", "sweep.png"});
+  [engine, jobs] = engine_here (plan.settings);
+  [numbers, pictures] = deal ({"summary.csv", "sweep.json", "sweep.html"}, {"sweep.svg", "sweep.png"});
+  if (! isempty (plan.settings.random))
+    numbers{end+1} = "sensitivity.csv";
+  endif
+  if (! isempty (plan.settings.hosts) && ! isempty (to_do))
+    refuse_hosts (plan.settings.hosts, plan);
+  endif
   points = fullfile (plan.folder, "points");
   require_folder (points);
   announce_sweep (plan, refused, to_do, engine, jobs);
@@ -29,17 +36,29 @@ function found = run_sweep (plan, refused, scene, count)
   [found.columns, found.values] = deal (plan.columns, plan.values);
   tell_failures (plan, found);
   drawn = drawn_sweep (found, strcat ({plan.items.text}, plan.units));
+  draw = @draw_sweep;
+  if (numel (drawn.names) > 2)
+    draw = @draw_parallel;
+  endif
   output = struct ("folder", plan.folder, "pictures", plan.pictures && ! isempty (drawn.x));
   publish_study (output, numbers, pictures, ...
-                 @(aside) write (found, false, aside), @(scratch) draw_sweep (drawn, scene.title, scratch));
+                 @(aside) write (found, false, aside), @(scratch) draw (drawn, scene.title, scratch));
+  if (exist (fullfile (plan.folder, "sweep.svg"), "file"))
+    publish_run (plan.folder, {"sweep.html"}, ...
+                 @(aside) write_sweep_page (plan, found, state_of (false), {"sweep.svg"}, aside));
+  endif
 
   function publish (found, running)
     publish_run (plan.folder, [numbers, pictures], @(aside) write (found, running, aside));
   endfunction
 
   function write (found, running, aside)
+    write_sweep (plan, found, state_of (running), aside);
+    write_sweep_page (plan, found, state_of (running), {}, aside);
+  endfunction
+
+  function state = state_of (running)
     state = struct ("running", running, "engine", engine, "jobs", jobs, "seconds", toc (start));
-    write_sweep (plan, found, state, aside);
   endfunction
 endfunction
 
@@ -60,8 +79,8 @@ endfunction
 %!  plan.keys = arrayfun (@(k) sprintf ("k%d", k), 1:count, "uniformoutput", false);
 %!  [plan.columns, plan.values, plan.items] = deal ({"a"}, num2cell ((1:count).'), struct ("text", "u"));
 %!  plan.units = {" [m]"};
-%!  plan.settings = struct ("engine", "make", "jobs", 1, "keep", false, "gather", false);
-%!  plan.about = struct ("observe", "u");
+%!  plan.settings = take_settings ({"engine", "make", "jobs", 1});
+%!  plan.about = struct ("observe", "u"); [plan.name, plan.call] = deal ("x", "make sweep SCENE=x");
 %!  scene = struct ("title", "A rod", "duration", 1, "frames_per_second", 10, "frame_size", [1280 720]);
 %!  mkdir (fullfile (folder, "points")); write_text (fullfile (folder, "points", "k1.row"), "0.5\n");
 %!  said = evalc ("found = run_sweep (plan, [{''}, repmat({'no'}, 1, count - 1)], scene, 7);");
@@ -69,9 +88,10 @@ endfunction
 %!  lines = strsplit (strtrim (said), "\n");
 %!  assert (lines(2:3), {"  point 2, a=2: no", "  point 3, a=3: no"});
 %!  assert (lines(end-1:end), {"  and 2 more, in sweep.json", ...
-%!                             [folder "/ has summary.csv, sweep.json, sweep.svg, sweep.png"]});
+%!                             [folder "/ has summary.csv, sweep.json, sweep.html, sweep.svg, sweep.png"]});
 %!  assert (numel (strfind (said, "\n  point ")), 10);
 %!  assert (fileread (fullfile (folder, "summary.csv")), "point,a,u [m],key\n1,1,0.5,k1\n");
 %!  assert (jsondecode (fileread (fullfile (folder, "sweep.json"))).running, false);
+%!  assert (! isempty (strfind (fileread (fullfile (folder, "sweep.html")), "<img src=\"sweep.svg\"")));
 %!endfunction
 %!test in_scratch (@(folder, scratch) check (folder));   # where nothing can be run

@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{found} =} sweep (@var{scene}, @var{option}, @var{value}, @dots{})
 ## Run a scene at many points, each in a process of its own, and leave a table: summary.csv, a row a point that is
-## done, and sweep.json, in output/NAME/sweep/ or the folder of the option "output"; over one or two fields that vary
-## also sweep.svg and sweep.png.
+## done, sweep.json, and sweep.html, in output/NAME/sweep/ or the folder of the option "output"; over fields that vary
+## also sweep.svg and sweep.png (see @code{draw_sweep}, @code{draw_parallel}); of random points sensitivity.csv (see
+## @code{sweep_sensitivity}).
 ##
 ## @var{scene} is a name or a path as for @code{driver}, whose options are those of all points.  Other options say
 ## which points, what of each is kept, and how they are run (see @code{sweep_settings}); a cell array as the first of
@@ -25,8 +26,8 @@ function found = sweep (scene = "paper", varargin)
     varargin = [{"table"}, varargin];
   endif
   plan = plan_sweep (scene, varargin);
-  [refused, checked] = check_points (scene, plan);
-  [plan.units, count] = observable_units (checked, plan.items);
+  [refused, checked, given] = check_points (scene, plan);
+  [plan.units, count] = observable_units (checked, plan.items, given);
   if (plan.settings.dry)
     found = [];
     print_commands (plan, refused);
@@ -88,7 +89,7 @@ endfunction
 %!  assert (strncmp (said, sprintf ("20 points of %s: 17 done before, 0 refused, 3 to run by %s", scene, engine), 60));
 %!  assert (message, ""); assert (setdiff (again, rows), sort (again([4 8 20]))); assert (numel (again), 20);
 %!  assert (json.failures, []); assert (sort ({dir(folder).name}), {".", "..", "driven.m", "points", "scratch", ...
-%!                                                                   "summary.csv", "sweep.json"});
+%!                                                                   "summary.csv", "sweep.html", "sweep.json"});
 %!endfunction
 %!test # 20 points, of which 3 fail: 17 rows, 3 messages; after the mend just these are run
 %! in_scratch (@(folder, scratch) check_failures (folder, "make"));
@@ -133,5 +134,6 @@ endfunction
 %!   fail ("sweep ('swing', bad{k}, 'output', folder)", messages{k});
 %! endfor
 %! fail ("sweep ('swing', {'rod.length'; 1}, 'observe', 'max tip_z', 'output', folder)", "has no column tip_z");
+%! fail ("sweep ('swing', {'rod.length'; 1}, 'observe', 'modes.g', 'output', folder)", "modes has no g: it has f,");
 %! fail ("sweep (swing (), {'rod.length'; 1}, 'output', folder)", "a sweep takes a scene by its name or its file");
 %! assert (! isfolder (folder));

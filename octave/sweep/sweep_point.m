@@ -11,7 +11,7 @@
 ## @end table
 ##
 ## With "keep", the tables of the run are in a folder of that name; with "pictures", all its files.
-## Without "point" nothing is written, and the values are printed.
+## Without "point" the values are printed, and the run's files are in the folder "output" where that is stated.
 ## @end deftypefn
 
 function sweep_point (which, varargin)
@@ -19,19 +19,19 @@ function sweep_point (which, varargin)
   items = read_observe (settings.observe);
   [~, output] = take_options (struct (), "", options);
   names = strcat (settings.point, {".row", ".failed"});
+  if (isempty (settings.point))
+    cellfun (@(line) say ("%s", line), observe_run (which, settings, options, items, output.folder));
+    return;
+  endif
   place = "";
   if (settings.keep || output.pictures)
     place = fullfile (output.folder, settings.point);
-  endif
-  if (isempty (settings.point))
-    cellfun (@(line) say ("%s", line), observe_run (which, settings, options, items, ""));
-    return;
   endif
   try
     lines = observe_run (which, settings, options, items, place);
     leave (names{1}, sprintf ("%s\n", lines{:}));
   catch err
-    leave (names{2}, [strjoin(strsplit (strtrim (err.message)), " ") "\n"]);
+    leave (names{2}, [point_message(err) "\n"]);
     rethrow (err);
   end_try_catch
 
@@ -44,10 +44,31 @@ endfunction
 function lines = observe_run (which, settings, options, items, place)
   [columns, values] = sweep_table (settings);
   [scene, output] = scene_at (which, options, columns, values(1,:));
-  run = driver (scene, "output", place, "pictures", output.pictures);
+  tables = verb_tables (scene, {items.part});
+  [names, table] = deal ({}, []);
+  if (! isempty (place) || ! all (ismember ({items.part}, {"modes", "statics"})))
+    [names, table, tables.summary] = run_of (scene, output, place, typed (which, settings, options));
+  endif
+  observed = @(item) text_of (observed_value (item, names, table, tables));
+  lines = arrayfun (observed, items, "uniformoutput", false);
+endfunction
+
+function [names, table, summary] = run_of (scene, output, place, command)
+  run = driver (scene, "output", place, "pictures", output.pictures, "command", command);
   kind = kind_of (run.scene);
   [names, table] = kind.columns (run.scene, run);
-  lines = arrayfun (@(item) text_of (observed_value (item, names, table, run.summary)), items, "uniformoutput", false);
+  summary = run.summary;
+endfunction
+
+## what to type for the same run, wherever its files go
+function command = typed (which, settings, options)
+  command = "";
+  if (! isempty (settings.at))
+    names = options(1:2:end);
+    kept = ! ismember (names, {"output", "pictures"});
+    options = [options(reshape ([kept; kept], 1, [])), {"at", settings.at, "observe", settings.observe}];
+    command = repeat_command (nthargout (3, @find_scene, which), options, "make point");
+  endif
 endfunction
 
 function text = text_of (value)
@@ -91,3 +112,16 @@ endfunction
 %!test # without a key a person sees the values
 %! said = evalc ("sweep_point ('swing', 'at', 'duration=0.1', 'modes', [0 0], 'observe', 'last t, model');");
 %! assert (strsplit (strtrim (said), "\n"){end}, "rigid");
+%!test # of modes and equilibrium, without a run
+%! said = evalc ("sweep_point ('swing', 'at', 'rod.length=0.5', 'observe', 'modes.f(1), statics.tip_y');");
+%! found = str2double (strsplit (strtrim (said), "\n")(end-1:end));
+%! assert (found, [sqrt(1.5*9.81/0.5)/(2*pi), -0.5], -0.01);
+%! assert (isempty (strfind (said, "integration")));
+%!function check_typed (folder)
+%!  sweep_point ("swing", "at", "duration=0.1", "modes", [0 0], "observe", "model", "pictures", false, ...
+%!               "output", folder);
+%!  assert (jsondecode (fileread (fullfile (folder, "summary.json"))).command, ...
+%!          "make point SCENE=swing MODES='0 0' AT='duration=0.1' OBSERVE=model");
+%!endfunction
+%!test # its files, where it is said where, and in them what to type
+%! evalc ("in_scratch (@(folder, scratch) check_typed (folder));");

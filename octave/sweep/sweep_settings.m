@@ -17,6 +17,13 @@
 ## what to keep of each run (see @code{read_observe})
 ## @item engine, jobs
 ## what distributes the processes, and how many of them at a time
+## @item hosts
+## machines for GNU parallel (see @code{refuse_hosts})
+## @item load, memory
+## no process begins while the machine's load is above the one, or less than the other of its memory is free, "2G"; of
+## Slurm, what a process is given
+## @item time_limit
+## seconds after which a point has failed
 ## @item keep
 ## whether the tables of each point stay, history.csv, summary.json and so on
 ## @item dry
@@ -40,6 +47,10 @@ function fields = sweep_settings ()
     "observe", "estimated_error_m", "text"
     "engine",  "auto",  "\"auto\", \"parallel\", \"make\" or \"slurm\""
     "jobs",    [],      "positive number of processes"
+    "hosts",   "",      "text"
+    "load",    [],      "positive number"
+    "memory",  "",      "text"
+    "time_limit", [],   "positive number of seconds"
     "keep",    false,   "true or false"
     "dry",     false,   "true or false"
     "gather",  false,   "true or false"

@@ -2,7 +2,8 @@
 ## @deftypefn {} {} write_sweep (@var{plan}, @var{found}, @var{state}, @var{folder})
 ## What a sweep of a @var{plan} (see @code{plan_sweep}) has @var{found} by now (see @code{gather_rows}), in the
 ## @var{folder}: summary.csv, a row a point that is done, and sweep.json, what is done, failed and missing, with the
-## messages of those that failed and the fields of the struct @var{state}.
+## messages of those that failed and the fields of the struct @var{state}; and sensitivity.csv, where the points are
+## random (see @code{sweep_sensitivity}) and none is @code{state.running}.
 ## @end deftypefn
 
 function write_sweep (plan, found, state, folder)
@@ -13,6 +14,17 @@ function write_sweep (plan, found, state, folder)
            cellfun(@csv_cell, found.observed(done,:), "uniformoutput", false), plan.keys(done).'].';
   template = [repmat("%s,", 1, numel (heads) - 1), "%s\n"];
   write_text (fullfile (folder, "summary.csv"), [sprintf(template, heads{:}), sprintf(template, cells{:})]);
+
+  cells = cell (0, 7);
+  if (! state.running)
+    cells = sweep_sensitivity (plan, found).';
+  endif
+  if (! isempty (cells))
+    cells(1,:) = cellfun (@csv_cell, cells(1,:), "uniformoutput", false);
+    text = ["observation,field,points,standardised coefficient,R^2,first order index,standard error of it\n", ...
+            sprintf("%s,%s,%d,%.6g,%.6g,%.6g,%.6g\n", cells{:})];
+    write_text (fullfile (folder, "sensitivity.csv"), text);
+  endif
 
   failed = find (! cellfun (@isempty, found.message));
   summary = struct ("scene", plan.typed, "columns", {plan.columns}, "observe", plan.about.observe, ...
@@ -37,19 +49,29 @@ function text = csv_cell (text)
   endif
 endfunction
 
-%!function [csv, json] = written (folder)
-%!  plan = struct ("typed", "swing", "columns", {{"a", "b"}}, "values", {{0.1 "x"; [0 4] "y"; 3 "z"; 4 "w"}}, ...
+%!function [csv, json, sensitivity] = written (folder, random = [], running = false)
+%!  values = {0.1 "x"; [0 4] "y"; 3 "z"; 4 "w"};
+%!  if (! isempty (random))
+%!    values = {0.1 2; 1 3; 3 4; 4 5};
+%!  endif
+%!  plan = struct ("typed", "swing", "columns", {{"a", "b"}}, "values", {values}, ...
 %!                 "keys", {{"k", "l", "m", "n"}}, "units", {{" [m]", ""}}, "about", struct ());
 %!  plan.about.observe = "max u, model";
 %!  plan.items = struct ("text", {"max u", "model"});
 %!  found = struct ("observed", {{"0.5", "6, \"rigid\""; "1", ""; "", ""; "", ""}}, ...
 %!                  "done", [true true false false], "message", {{"", "", "it failed", ""}});
-%!  write_sweep (plan, found, struct ("jobs", 2), folder);
+%!  plan.settings = struct ("vary", "a=0..5; b=0..5", "random", random);
+%!  write_sweep (plan, found, struct ("jobs", 2, "running", running), folder);
 %!  csv = fileread (fullfile (folder, "summary.csv"));
 %!  json = jsondecode (fileread (fullfile (folder, "sweep.json")));
+%!  sensitivity = exist (fullfile (folder, "sensitivity.csv"), "file") > 0;
 %!endfunction
 %!test
-%! [csv, json] = in_scratch (@(folder, scratch) written (folder));
+%! [csv, json, sensitivity] = in_scratch (@(folder, scratch) written (folder));
+%! assert (sensitivity, false);
 %! assert (csv, "point,a,b,max u [m],model,key\n1,0.1,x,0.5,\"6, \"\"rigid\"\"\",k\n2,0 4,y,1,,l\n");
 %! assert ([json.points, json.done, json.failed, json.missing, json.jobs], [4 2 1 1 2]);
 %! assert (json.failures, struct ("point", 3, "at", "a=3; b=z", "message", "it failed", "key", "m"));
+%!test # of random points, behind the last
+%! there = @(running) nthargout (3, @in_scratch, @(folder, scratch) written (folder, 4, running));
+%! assert ([there(true), there(false)], [false true]);

@@ -5,6 +5,9 @@
 
 function html = html_escape (text)
   html = text;
+  if (isempty (regexp (text, '[&<>"'']', "once")))  # as most texts are
+    return;
+  endif
   for pair = {"&", "<", ">", "\"", "'"; "&amp;", "&lt;", "&gt;", "&quot;", "&#39;"}
     html = strrep (html, pair{:});
   endfor

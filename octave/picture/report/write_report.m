@@ -8,8 +8,6 @@
 ## @end deftypefn
 
 function write_report (folder, drawing, scene, summary, earlier = "")
-  here = fileparts (mfilename ("fullpath"));
-  part = @(name) fileread (fullfile (here, name));
   picture = @(name, text) picture_or_word (fullfile (folder, [name ".svg"]), name, text);
   seconds = sprintf ("%.3g s", drawing.time(end) - drawing.time(1));
   panels = labels (drawing.panels);
@@ -34,9 +32,8 @@ function write_report (folder, drawing, scene, summary, earlier = "")
   page.parameters = html_table ({"field", "value"}, field_rows (scene));
   page.equations = equations (drawing.equations);
   page.data = report_data (drawing);
-  page.style = part ("report.css");
-  page.script = part ("report.js");
-  write_text (fullfile (folder, "report.html"), fill (part ("report.html"), page));
+  page.script = fileread (fullfile (fileparts (mfilename ("fullpath")), "report.js"));
+  write_text (fullfile (folder, "report.html"), fill_page ("report.html", page));
 endfunction
 
 function html = picture_or_word (file, name, text)
@@ -52,13 +49,6 @@ function text = labels (panels)
   if (! isempty (panels))
     text = strjoin ({panels.label}, ", ");
   endif
-endfunction
-
-## Every {{name}} is replaced at once: what is filled in is not looked at again.
-function html = fill (template, page)
-  [names, between] = regexp (template, '\{\{(\w+)\}\}', "tokens", "split");
-  values = cellfun (@(name) page.(name{1}), names, "UniformOutput", false);
-  html = [[between; [values, {""}]]{:}];
 endfunction
 
 function html = warning_list (summary)
@@ -101,21 +91,6 @@ endfunction
 %!endfunction
 %!function html = report_of (drawing, use, figures = {"figure3", "history"}, tried = [])
 %!  html = in_scratch (@(folder, scratch) report_in (folder, drawing, use, figures, tried));
-%!endfunction
-
-%!function check_tags (html)   # every tag that is opened is closed in its turn
-%!  html = regexprep (html, "<script[^>]*>.*?</script>|<style>.*?</style>|<!DOCTYPE html>", "");
-%!  opened = {};
-%!  for tag = regexp (html, '<(/?)([a-zA-Z0-9]+)[^>]*?(/?)>', "tokens")
-%!    [slash, name, closed] = tag{1}{:};
-%!    if (isempty (slash) && isempty (closed) && ! any (strcmp (name, {"meta", "link", "input", "br"})))
-%!      opened{end+1} = name;
-%!    elseif (! isempty (slash))
-%!      assert (opened{end}, name);
-%!      opened(end) = [];
-%!    endif
-%!  endfor
-%!  assert (isempty (opened));
 %!endfunction
 
 %!test # whole, escaped, its data parse, and it asks for nothing from elsewhere
