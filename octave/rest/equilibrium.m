@@ -119,3 +119,12 @@ endfunction
 %! z = equilibrium (surface_at_rest (scene, system), 0);
 %! tip = system.fields (z, z, z, 1).alpha2;
 %! assert (-tip - 1, 9.81/1e4/2, 1e-6);
+%!test # two masses and a spring, held by nothing: they meet in the middle, at once
+%! K = [5 -5; -5 5];
+%! balance = struct ("n", 2, "multipliers", 0, "start", [0; 0.04], "length", 1, "size", @(step) max (abs (step)));
+%! balance.residual = @(t, q, v, lambda) -K*q;
+%! balance.tangent = @(t, q, lambda) K;
+%! balance.damping = @(t, q, lambda) zeros (2);
+%! balance.mass = @(q) diag ([1 1]);
+%! [q, ~, linear] = equilibrium (balance, 0);
+%! assert (q, [0.02; 0.02], 1e-12); assert (linear.K, K);

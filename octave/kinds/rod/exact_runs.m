@@ -32,3 +32,7 @@ endfunction
 %! [run, converged] = exact_runs (check_scene (hook ()), 60);
 %! assert (run, []); assert (! converged);
 %! assert (exact_runs (check_scene (spin_up ()), 60), []);
+%!test # of a stiff rod that swings it has converged
+%! scene = check_scene (setfield (setfield (swing (), "duration", 0.1), "model", "modes", [0 0]));
+%! evalc ("[run, converged] = exact_runs (scene, 60);");
+%! assert (converged); assert (columns (run.x), numel (frame_times (scene)));

@@ -116,7 +116,7 @@ endfunction
 %! assert (system.rate ([0 1], system.initial_state(:,[1 1]), [0 1]), zeros (8, 2), 1e-12);
 %!test # in a hub the tangent at O has its angle: asin of the slope, and the stretch
 %! scene = setfield (spin_up (), "duration", 2);
-%! scene.model = struct ("modes", [0 3], "stiffening", "foreshortening");
+%! scene.model = struct ("modes", [0 3], "stiffening", "foreshortening", "moment_work", "chord");
 %! scene = check_scene (scene);
 %! model = build_model (scene, rung_of_scene (scene));
 %! system = with_dropped (scene, model);

@@ -55,3 +55,4 @@ endfunction
 %! assert (balance.residual (0, 1e-5*(1:6 == 2).', z, [])(2), -3*2*1e-5, 1e-8);
 %! assert (balance.shape (z){1}([1 end],:), [0 0 0; 2 0 0], 1e-12);
 %! assert (balance.shape ([z, 0.05*(1:6 == 2).']){1}([1 end],1,2), [-0.05; 2.05], 1e-12);
+%! assert (balance.names, {"rod"}); assert (balance.bodies, {1:6});
