@@ -123,6 +123,8 @@ endfunction
 %! y = [0.3; 0.02; -0.01; 0; 0; 0; 0; 0];
 %! slope = model.arrays.slope_2.'*y(1:3);
 %! assert (system.motion (1.5, y).phi + asin (slope), scene.rotation (1.5)(1), 0.5*slope^5);
+%! scene.model.moment_work = "tangent";  # which a hub holds, whatever a moment would work on
+%! assert (with_dropped (scene, model).rate (1.5, y, [0 2]), system.rate (1.5, y, [0 2]));
 %!function phi = behind (scene, q)   # of the chord, where a hub has not turned
 %!  scene = check_scene (setfield (scene, "rotation", @(t) [0 0 0]));
 %!  system = with_dropped (scene, build_model (scene, rung_of_scene (scene)));
