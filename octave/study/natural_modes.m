@@ -31,7 +31,7 @@ function table = natural_modes (scene = "paper", varargin)
   publish_study (output, {"modes.csv"}, {"modes.svg", "modes.png"}, ...
                  @(aside) write_modes (rows, found.balance.names, aside), ...
                  @(scratch) draw_shapes ("modes", mode_panels (rows, found), scene, scratch));
-  for k = films(films <= numel (rows))
+  for k = films(films <= numel (rows))(:).'  # 0-by-0 goes round once in Octave 11
     film_mode (output, scene, found, k, title_of (rows(k)));
   endfor
   if (nargout > 0)
