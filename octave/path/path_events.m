@@ -85,3 +85,14 @@ endfunction
 %! [point.tangent, next.tangent] = deal (path_tangent (point, [1; 0]), path_tangent (next, [1; 0]));
 %! events = path_events (path, point, next);
 %! assert (events{1}.event, "limit point"); assert (events{1}.x, [q; 1/cos(q)], 1e-8);
+%!test # two columns that straighten one soon after the other, as what presses them lets go
+%! at = @(kind, body, s, varargin) struct ("kind", kind, "bodies", body, "stations", s, varargin{:});
+%! on = @(body, y) {at("revolute", body, 0, "point", [0 y]), ...
+%!                  at("slider", body, 1, "point", [0 y], "direction", 0), at("force", body, 1, "value", [pi^2 0])};
+%! column = @(EI, y) struct ("rod", struct ("length", 1, "EA", 1e6, "EI", EI, "rhoA", 1), "initial", struct ("y", y), ...
+%!                           "model", struct ("modes", [0 1], "stiffening", "foreshortening"));
+%! scene.bodies = {column(1, 0), column(1.0001, 1)};
+%! scene.joints = [on(1, 0), on(2, 1)];
+%! [scene.gravity, scene.duration] = deal (0, 1);
+%! found = load_path (mechanism_kind (), check_mechanism (scene), 0, [-1.3 -0.5]);
+%! assert ([found.events.factor], [-1.0001 -1], 1e-5); assert (found.stable([1 end]), [false true]);
