@@ -1,18 +1,20 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{rows} =} load_limits (@var{kind}, @var{scene}, @var{left})
-## So many times the loads of a checked scene at rest (see @code{scene_at_rest}) take its stiffness, at the time when
-## they are largest: a row for the table of @code{scene_stability}, predicted by @code{buckling_factor} and, where that
-## is below 3, measured along the path of its equilibria, while there are seconds @var{left} ().  No row where nothing
-## loads the scene, or where it does not come to rest.
+## @deftypefn {} {@var{rows} =} load_limits (@var{which}, @var{options}, @var{left})
+## So many times the loads of the scene @var{which}, with the @var{options} (see @code{study_scene}), take its stiffness
+## at rest, at the time when they are largest: a row for the table of @code{scene_stability}, predicted by
+## @code{buckling_factor} and, where that is below 3, measured along the path of its equilibria, while there are seconds
+## @var{left} ().  No row where nothing loads the scene; where it has what no scene at rest takes (see
+## @code{scene_at_rest}), or does not come to rest, that is said.
 ## @end deftypefn
 
-function rows = load_limits (kind, scene, left)
+function rows = load_limits (which, options, left)
   rows = struct ("method", {}, "what", {}, "predicted", {}, "measured", {});
-  [t, size] = heaviest_time (scene);
-  if (size == 0)
-    return;
-  endif
   try
+    [scene, kind] = study_scene (which, options, @(scene) scene_at_rest (without_solver (scene)));
+    [t, size] = heaviest_time (scene);
+    if (size == 0)
+      return;
+    endif
     predicted = buckling_factor (kind, scene, t);
     measured = NaN;
     if (predicted < 3)
@@ -47,7 +49,7 @@ endfunction
 %!  scene.joints = {struct("kind", "weld", "bodies", 1, "stations", 0), ...
 %!                  struct("kind", "force", "bodies", 1, "stations", 2, "value", load)};
 %!  [scene.gravity, scene.duration] = deal (0, 1);
-%!  said = evalc ("rows = load_limits (mechanism_kind (), check_mechanism (scene), @() 30);");
+%!  said = evalc ("rows = load_limits (scene, {'output', ''}, @() 30);");
 %!endfunction
 %!test # Euler's load, when a force along a column is largest
 %! rows = of (@(t) -[5*t^2, 0]);
@@ -59,3 +61,8 @@ endfunction
 %! assert (numel (of ([5 0])), 0);
 %! [rows, said] = of ([0 0]);
 %! assert (numel (rows), 0); assert (said, "");
+%!test # what no body takes is said, and a solver of one rod is no reason
+%! scene = setfield (setfield (swing (), "duration", 0.1), "solver", "name", "rk4");
+%! assert (evalc ("load_limits (scene, {'output', ''}, @() 30);"), "");
+%! said = evalc ("load_limits (setfield (scene, 'model', 'moment_work', 'chord'), {'output', ''}, @() 30);");
+%! assert (! isempty (regexp (said, '^  what loads take its stiffness is not known: .*moment_work')));

@@ -11,8 +11,8 @@
 ## @end deftypefn
 
 function table = scene_stability (scene = "paper", varargin)
-  [rest, rest_kind, ~, left] = study_scene (scene, varargin, @scene_at_rest);
-  [scene, kind, output] = study_scene (scene, varargin);
+  given = scene;
+  [scene, kind, output, left] = study_scene (scene, varargin);
   [model, choice] = chosen_model (kind, scene);
   system = at_rates (kind.system (scene, model));
   mode = struct ("omega", 0);
@@ -23,7 +23,7 @@ function table = scene_stability (scene = "paper", varargin)
     scene_error ("nothing oscillates: stability takes a model that bends, MODES=\"0 2\" say");
   endif
   printf ("  highest frequency about the start: %.6g rad/s\n", mode.omega);
-  found = [told(load_limits (rest_kind, rest, left)), told(model_limits (kind, scene, model, choice.trial, left))];
+  found = [told(load_limits (given, varargin, left)), told(model_limits (kind, scene, model, choice.trial, left))];
   curves = {};
   exact = true_amplitudes (system, mode);
   for method = explicit_methods (system)

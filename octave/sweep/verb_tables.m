@@ -11,8 +11,7 @@ function [tables, units] = verb_tables (scene, parts, names_alone = false)
   if (! any (ismember ({"modes", "statics"}, parts)))
     return;
   endif
-  solver = field_or (scene, "solver", struct ());
-  scene.solver = rmfield (solver, intersect ({"name", "step"}, fieldnames (solver)));  # nothing is integrated
+  scene = without_solver (scene);
   if (names_alone)
     [kind, scene] = kind_at_rest (scene);
   endif
