@@ -6,13 +6,7 @@
 ## @end deftypefn
 
 function scene = random_curved_scene (seed)
-  state = rand ("twister");
-  unwind_protect
-    rand ("twister", 2000 + seed);
-    scene = drawn_scene ();
-  unwind_protect_cleanup
-    rand ("twister", state);
-  end_unwind_protect
+  scene = with_seed (2000 + seed, @drawn_scene);
   scene.title = sprintf ("Random curved scene %d", seed);
 endfunction
 

@@ -10,14 +10,8 @@
 ## @end deftypefn
 
 function scene = random_loaded_scene (seed)
-  state = rand ("twister");
-  unwind_protect
-    rand ("twister", 1000 + seed);
-    kinds = {@hinged, @in_hub, @two_rods, @three_rods};
-    scene = kinds{mod (seed - 1, 4) + 1} ();
-  unwind_protect_cleanup
-    rand ("twister", state);
-  end_unwind_protect
+  kinds = {@hinged, @in_hub, @two_rods, @three_rods};
+  scene = with_seed (1000 + seed, kinds{mod (seed - 1, 4) + 1});
   scene.title = sprintf ("Random loaded scene %d", seed);
 endfunction
 

@@ -6,13 +6,7 @@
 ## @end deftypefn
 
 function scene = random_scene (seed)
-  state = rand ("twister");
-  unwind_protect
-    rand ("twister", seed);
-    scene = drawn_scene ();
-  unwind_protect_cleanup
-    rand ("twister", state);
-  end_unwind_protect
+  scene = with_seed (seed, @drawn_scene);
   scene.title = sprintf ("Random scene %d", seed);
 endfunction
 

@@ -6,13 +6,7 @@
 ## @end deftypefn
 
 function scene = random_surface_scene (seed)
-  state = rand ("twister");
-  unwind_protect
-    rand ("twister", 3000 + seed);
-    scene = drawn_scene (mod (seed - 1, 7) + 1);
-  unwind_protect_cleanup
-    rand ("twister", state);
-  end_unwind_protect
+  scene = with_seed (3000 + seed, @() drawn_scene (mod (seed - 1, 7) + 1));
   scene.title = sprintf ("Random surface scene %d", seed);
 endfunction
 

@@ -5,18 +5,16 @@
 ## @end deftypefn
 
 function x = latin_hypercube (ranges, count, seed)
-  before = rand ("twister");
-  unwind_protect
-    rand ("twister", seed);
-    x = zeros (count, numel (ranges));
-    for k = 1:numel (ranges)
-      [~, part] = sort (rand (count, 1));
-      share = (part - rand (count, 1))/count;
-      x(:,k) = rounded_digits (ranges(k).low + (ranges(k).high - ranges(k).low)*share);
-    endfor
-  unwind_protect_cleanup
-    rand ("twister", before);
-  end_unwind_protect
+  x = with_seed (seed, @() drawn (ranges, count));
+endfunction
+
+function x = drawn (ranges, count)
+  x = zeros (count, numel (ranges));
+  for k = 1:numel (ranges)
+    [~, part] = sort (rand (count, 1));
+    share = (part - rand (count, 1))/count;
+    x(:,k) = rounded_digits (ranges(k).low + (ranges(k).high - ranges(k).low)*share);
+  endfor
 endfunction
 
 %!test # numbers that others draw afterwards are none of a sweep's

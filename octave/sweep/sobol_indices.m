@@ -34,10 +34,8 @@ endfunction
 ## least squares, and the residual that each point has where the others are fitted
 function fit = fit_of (x, y, degree)
   [n, d] = size (x);
-  A = ones (n, 1 + d*degree);
-  for k = 1:degree
-    A(:,1+(k-1)*d+(1:d)) = sqrt (2*k + 1)*legendre_polynomial (k, x);
-  endfor
+  polynomials = legendre_functions (degree + 1, x + 1, 2).*sqrt (2*(0:degree) + 1);
+  A = [ones(n, 1), reshape(polynomials(:,2:end), n, d*degree)];
   [Q, R] = qr (A, 0);
   fit.inverse = R \ Q.';
   fit.coefficients = fit.inverse*y;
@@ -45,14 +43,6 @@ function fit = fit_of (x, y, degree)
   fit.squares = sumsq (fit.residual);
   fit.left_out = fit.residual./max (1 - sumsq (Q, 2), 1e-9);
   fit.predicted = sumsq (fit.left_out);
-endfunction
-
-function p = legendre_polynomial (k, x)
-  before = 0*x;
-  p = before + 1;
-  for j = 1:k
-    [before, p] = deal (p, ((2*j - 1)*x.*p - (j - 1)*before)/j);
-  endfor
 endfunction
 
 ## of the variance, by columns of coefficients of so many rows; the polynomials have unit variance
