@@ -1,15 +1,13 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{factor}, @var{found}] =} buckling_factor (@var{kind}, @var{scene}, @var{t})
+## @deftypefn {} {@var{factor} =} buckling_factor (@var{kind}, @var{scene}, @var{t})
 ## The smallest positive @var{factor} of the loads of a checked scene at rest of a @var{kind} (see @code{scene_at_rest})
 ## at the time @var{t} (s) at which its tangent stiffness, with its constraints, is singular; Inf where there is none.
 ## The stiffness is taken to be linear in the loads ("linearised buckling", as Cook et al. 2002, section 18.2, have it),
 ## by its change from no load to a thousandth of them, which is exact where the rod moves little before it buckles.
-## @var{found} is the equilibrium without loads that @code{at_rest} returns.
 ## @end deftypefn
 
-function [factor, found] = buckling_factor (kind, scene, t)
-  found = at_rest (kind, growing_loads (scene, t), 0, @singular_at, 1e-4);
-  factor = singular_at (found);
+function factor = buckling_factor (kind, scene, t)
+  factor = singular_at (at_rest (kind, growing_loads (scene, t), 0, @singular_at, 1e-4));
 endfunction
 
 function factor = singular_at (found)
@@ -22,7 +20,7 @@ function factor = singular_at (found)
   factor = min ([Inf; real(factors(real_ones & real (factors) > 0))]);
 endfunction
 
-## of unit scale, so that what the constraints add is no larger than what the rods have
+## singular where the stiffness of what the constraints leave free is
 function A = bordered_tangent (balance, t, q, lambda)
   tangent = balance.tangent (t, q, lambda);
   n = balance.n;

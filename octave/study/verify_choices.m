@@ -46,8 +46,8 @@ function row = verify_choice (which)
     true_error = distance (result, reference);
     smaller = smaller_error (result, reference);
   catch err
-    row = struct ("name", sprintf ("%s: %s", name, strtrim (err.message)), "kind", "none", "error", Inf, "estimate", NaN, ...
-                  "smaller", NaN, "good", false, "seconds", [toc(start), 0]);
+    row = struct ("name", sprintf ("%s: %s", name, strtrim (err.message)), "kind", "none", ...
+                  "error", Inf, "estimate", NaN, "smaller", NaN, "good", false, "seconds", [toc(start), 0]);
     return;
   end_try_catch
   tolerance = result.summary.tolerance_m;

@@ -46,9 +46,7 @@ function metres = held_by_joints (system, history, q, force, rate_2)
   mechanism = system.mechanism;
   at = system.at (history.t, q, 0*q);
   [mass, jacobian, spring_jacobian] = system.matrices (at);
-  torque = at.loads.angle - reactions (mechanism, mechanism.constraints, at.constraints, history.lambda).angle ...
-           - reactions (mechanism, mechanism.springs, at.springs, at.springs.tension).angle;
-  [angle, by_torque] = angles_at_markers (mechanism, q, torque);
+  [angle, by_torque] = angles_at_markers (mechanism, q, system.on_markers (at, history.lambda).angle);
   force += by_torque;
   springs = spdiags (at.springs.stiffness(:), 0, rows (spring_jacobian), rows (spring_jacobian));
   K = kron (speye (columns (q)), system.stiffness) + mass*(2/system.duration^2 + rate_2) ...

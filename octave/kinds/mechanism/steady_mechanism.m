@@ -12,7 +12,7 @@ function turning = steady_mechanism (scene)
   for k = 1:numel (scene.joints)
     kind = scene.joints(k).kind;
     if (strcmp (kind, "angle") && any (scene.joints(k).bodies == 0))
-      rates = arrayfun (@(t) scene.joints(k).value (t)(2), linspace (0, scene.duration, 1001));
+      rates = at_times (scene.joints(k).value, linspace (0, scene.duration, 1001))(2,:);
       turning.speed = max ([turning.speed, abs(rates)]);
     elseif (any (strcmp (kind, {"force", "moment"})))
       scene.joints(k).value = @(t) 0*scene.joints(k).value (t);

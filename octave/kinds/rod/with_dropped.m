@@ -3,7 +3,8 @@
 ## The system of @code{rod_system} with the forces of what the @var{model} of a straight rod drops (see
 ## @code{dropped_forces}), taken along its own motion: how its motion differs is, to the first order, the model's error
 ## against the geometrically exact rod.  Those forces need accelerations, which feel them: taken again and again, to a
-## hundredth, where modes along the rod are as fast as what bends it.  In a hub the tangent at O has the angle that its slope really has.  Work and dissipated energy are left at 0.
+## hundredth, where modes along the rod are as fast as what bends it.  In a hub the tangent at O has the angle that its
+## slope really has.  Work and dissipated energy are left at 0.
 ## @end deftypefn
 
 function system = with_dropped (scene, model)
@@ -31,19 +32,11 @@ function y_dot = hinged (t, y, interval, n, y_dot, c)
   c.interval = interval;
   q = y(1:n,:);
   q_dot = y(n+2:2*n+1,:);
-  q_ddot = 0*q;
   phi = y(n+1,:);
-  phi_ddot = 0*phi;
   phi_dot = y_dot(n+1,:);
   [mass_q_phi, mass_phi_phi, force_q, force_phi] = rod_forces (t, phi, phi_dot, q, q_dot, c);
-  for pass = 1:10
-    last = q_ddot;
-    [more_q, torque] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c);
-    [q_ddot, phi_ddot] = rod_accelerations (c.rod, mass_q_phi, mass_phi_phi, force_q + more_q, force_phi + torque);
-    if (pass > 1 && norm (q_ddot - last, 1) <= 0.01*norm (q_ddot, 1))
-      break;
-    endif
-  endfor
+  solved = @(f, g) rod_accelerations (c.rod, mass_q_phi, mass_phi_phi, force_q + f, force_phi + g);
+  [q_ddot, torque] = settled (solved, t, q, q_dot, phi, phi_dot, c);
   y_dot(n+2:2*n+1,:) = q_ddot;
   y_dot(2*n+2,:) += torque;
   y_dot(2*n+3:end,:) = 0;
@@ -62,18 +55,24 @@ function y_dot = in_hub (t, y, interval, n, c)
   gradient += c.points.slope_at_O.'*by_slope + c.points.stretch_at_O.'*by_stretch;
   right_side = theta(3,:) - acceleration - second_rate;
   [mass_q_phi, mass_phi_phi, force_q, force_phi] = rod_forces (t, phi, phi_dot, q, q_dot, c);
-  solved = @(f, g) hub_accelerations (c.rod.inverse_mass_matrix, mass_q_phi, mass_phi_phi, gradient, f, g, right_side);
+  solved = @(f, g) hub_accelerations (c.rod.inverse_mass_matrix, mass_q_phi, mass_phi_phi, gradient, force_q + f, ...
+                                      force_phi + g, right_side);
+  q_ddot = settled (solved, t, q, q_dot, phi, phi_dot, c);
+  y_dot = [q_dot; q_ddot; zeros(2, columns (q))];
+endfunction
+
+## accelerations that feel the forces which they make, to a hundredth, and the torque among these
+function [q_ddot, torque] = settled (solved, t, q, q_dot, phi, phi_dot, c)
   q_ddot = 0*q;
   phi_ddot = 0*phi;
   for pass = 1:10
     last = q_ddot;
-    [more_q, more_phi] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c);
-    [q_ddot, phi_ddot] = solved (force_q + more_q, force_phi + more_phi);
+    [more_q, torque] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c);
+    [q_ddot, phi_ddot] = solved (more_q, torque);
     if (pass > 1 && norm (q_ddot - last, 1) <= 0.01*norm (q_ddot, 1))
-      break;
+      return;
     endif
   endfor
-  y_dot = [q_dot; q_ddot; zeros(2, columns (q))];
 endfunction
 
 function [force_q, force_phi] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c)
