@@ -17,8 +17,9 @@ function [states, steps] = integrate_radau (system, times, start, solver)
   [y.a, y.lambda, at] = constrained_accelerations (system, y.t, y.q, y.v);
   y.sigma = at.springs.tension;
   states.lambda(:,1) = y.lambda;
-  plan = struct ("h", min (diff (times)(1)/4, 1e-3*system.duration), "panels", 1, "whole", 0, "patience", 4);
-  plan.most = max (1, min (64, floor (7e3/system.n^2)));
+  plan = struct ("h", min (diff (times)(1)/4, 1e-3*system.duration), "whole", 0, "patience", 4);
+  plan.most = max (1, min (160, floor (14e3/system.n^2)));
+  plan.panels = min (4, plan.most);
   guess = alone = @(t) taylor (y, t - y.t);
   steps = refused = 0;
   while (y.t < times(end))
@@ -39,8 +40,7 @@ function [states, steps] = integrate_radau (system, times, start, solver)
       endif
       inside = times > before.t & times <= y.t;
       if (any (inside))
-        [frames, y] = radau_frames (system, rule, window, before, h, times(inside), y);
-        states = keep (states, inside, frames);
+        states = keep (states, inside, radau_frames (rule, window, before, h, times(inside)));
       endif
       guess = alone = @(t) radau_guess (system, rule, window, y, h, kept, t);
       if (isfield (system, "led") && plan.panels > 1)
@@ -59,6 +59,7 @@ function [states, steps] = integrate_radau (system, times, start, solver)
                         "a larger tolerance, or a look at the mechanism there");
     endif
   endwhile
+  [states.q, states.v] = onto_constraints (system, times, states.q, states.v);
 endfunction
 
 ## Windows of many short panels that converge fast go further in a second than those of a few long ones, which turn or

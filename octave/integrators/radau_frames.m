@@ -1,23 +1,19 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{frames}, @var{y}] =} radau_frames (@var{system}, @var{rule}, @var{window}, @var{before}, @
-##   @var{h}, @var{t}, @var{y})
+## @deftypefn {} {@var{frames} =} radau_frames (@var{rule}, @var{window}, @var{before}, @var{h}, @var{t})
 ## States at the times @var{t} (1-by-m, s) within a @var{window} (see @code{radau_window}) of panels of @var{h} (s)
-## from the state @var{before} on, a struct of q, v, lambda, W, D (a column a time), from its polynomials, and its last
-## state @var{y}: all moved onto the constraints.
+## from the state @var{before} on, a struct of q, v, lambda, W, D (a column a time), from its polynomials.
 ## @end deftypefn
 
-function [frames, y] = radau_frames (system, rule, window, before, h, t, y)
+function frames = radau_frames (rule, window, before, h, t)
   s = numel (rule.c);
   panel = max (1, ceil ((t - before.t)/h - 1e-9));
   x = (t - before.t)/h - panel + 1;
   of_panels = @(cells) cellfun (@(x) x(:,panel), cells, "uniformoutput", false);
   through = ((x.'.^(0:s))/([0; rule.c.'].^(0:s))).';
   of_stages = ((x.'.^(0:s-1))/(rule.c.'.^(0:s-1))).';
-  q = weighted ([{window.q_start(:,panel)}, of_panels(window.q)], through);
-  v = weighted ([{window.v_start(:,panel)}, of_panels(window.v)], through);
-  [q, v] = onto_constraints (system, [t, y.t], [q, y.q], [v, y.v]);
-  [y.q, y.v] = deal (q(:,end), v(:,end));
-  frames = struct ("q", q(:,1:end-1), "v", v(:,1:end-1), "lambda", weighted (of_panels (window.lambda), of_stages));
+  frames.q = weighted ([{window.q_start(:,panel)}, of_panels(window.q)], through);
+  frames.v = weighted ([{window.v_start(:,panel)}, of_panels(window.v)], through);
+  frames.lambda = weighted (of_panels (window.lambda), of_stages);
   integrals = ((x.'.^(1:s)./(1:s))/(rule.c.'.^(0:s-1)));
   for name = {"power", "dissipated"; "W", "D"}
     rate = window.(name{1});
@@ -30,22 +26,6 @@ function sum = weighted (cells, weights)
   sum = zeros (rows (cells{1}), columns (weights));
   for k = 1:numel (cells)
     sum += cells{k}.*weights(k,:);
-  endfor
-endfunction
-
-function [q, v] = onto_constraints (system, t, q, v)
-  for iteration = 1:4
-    at = system.at (t, q, v);
-    off = -[at.constraints.residual(:), at.constraints.velocity(:)];
-    if (all (abs (off(:,1)) <= 1e-11) && all (abs (off(:,2)) <= 1e-9))
-      return;
-    endif
-    [mass, jacobian] = system.matrices (at);
-    c = rows (jacobian);
-    unit = full (mean (abs (diag (mass))));
-    moved = [mass, unit*jacobian.'; unit*jacobian, sparse(c, c)] \ [zeros(numel (q), 2); unit*off];
-    q += reshape (moved(1:numel (q),1), size (q));
-    v += reshape (moved(1:numel (q),2), size (q));
   endfor
 endfunction
 

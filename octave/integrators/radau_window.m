@@ -20,11 +20,12 @@
 function [window, why] = radau_window (system, rule, y, h, panels, guess, tolerance, whole = false)
   s = numel (rule.c);
   x.t = reshape (y.t + h*((0:panels-1).' + rule.c), 1, []);
-  middle = (s - 1)/2*panels + (1:panels);
-  [x.prescribed, x.prescribed_middle] = deal (system.prescribed (x.t), system.prescribed (x.t(middle)));
+  x.prescribed = system.prescribed (x.t);
+  x.prescribed_middle = at_columns (x.prescribed, (s - 1)/2*panels + (1:panels));
   [x.q, x.v] = guess (x.t);
-  x.lambda = repmat (y.lambda, 1, panels*s);
-  x.sigma = repmat (y.sigma, 1, panels*s);
+  every = ones (1, panels*s);
+  x.lambda = y.lambda(:,every);
+  x.sigma = y.sigma(:,every);
   x.mu = 0*x.lambda;
   window = struct ("converged", false, "iterations", 0, "error_ratio", Inf);
   why = "its Newton iteration did not converge";
@@ -85,8 +86,8 @@ endfunction
 
 ## derivatives by time of the polynomials through a panel's start and stages
 function x_dot = rates (rule, h, panels, x, y)
-  from_start = x - repmat (started (x, y, panels), 1, numel (rule.c));
-  x_dot = reshape (reshape (from_start, [], numel (rule.c))*rule.inverse.'/h, rows (x), []);
+  from_start = reshape (x, [], numel (rule.c)) - started (x, y, panels)(:);
+  x_dot = reshape (from_start*rule.inverse.'/h, rows (x), []);
 endfunction
 
 ## what is left, with the other sign, in the units of radau_matrix
@@ -99,7 +100,7 @@ function [residual, at] = residual_of (system, rule, h, panels, y, x, factors)
               at.force - system.inertia(at, a) - system.reaction(at, x.lambda) - system.spring_reaction(at, excess)
               -at.constraints.residual*factors.unit/h
               -at.constraints.velocity*factors.unit
-              -repmat(factors.compliance, 1, numel (rule.c)).*excess};
+              -factors.compliance(:,rem (0:columns (excess)-1, panels) + 1).*excess};
 endfunction
 
 function window = finished (system, window, rule, factors, h, panels, y, x, at, tolerance)
@@ -116,8 +117,7 @@ endfunction
 
 ## filtered by the real factors, so that stiff modes count as what they will be
 function ratio = embedded_error (system, rule, factors, h, x, window, a_start, tolerance)
-  beyond = @(x, start, rate) factors.M*(reshape (x - repmat (start, 1, numel (rule.c)), [], numel (rule.c))*rule.e.'/h ...
-                                        + rate(:));
+  beyond = @(x, start, rate) factors.M*((reshape (x, [], numel (rule.c)) - start(:))*rule.e.'/h + rate(:));
   none = @(m) zeros (m, 1);
   off = radau_solve (factors, 1, {beyond(x.q, window.q_start, window.v_start), beyond(x.v, window.v_start, a_start), ...
                                   none(factors.ties_count), none(factors.ties_count), none(rows (factors.stiff))});

@@ -19,11 +19,9 @@ function values = prescribed_values (constraints, t)
     orders = {kind.constant*every, still, still};
     for j = moving_joints (kind)
       mine = find (kind.joints == j);
-      for k = 1:numel (t)
-        value = constraints.values{j}(t(k));
-        for order = 1:3
-          orders{order}(mine,k) = value(order,kind.component(mine));
-        endfor
+      value = reshape (at_times (constraints.values{j}, t), 3, [], numel (t));
+      for order = 1:3
+        orders{order}(mine,:) = value(order,kind.component(mine),:);
       endfor
     endfor
     values{i} = cell2struct (orders, {"value", "value_dot", "value_ddot"}, 2);

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{values} =} at_times (@var{f}, @var{t})
-## The values of a function @var{f} of one time, numbers in a row or a column, or of such numbers alone, at the times
-## @var{t} (1-by-m, s), a column a time.
+## The values of a function @var{f} of one time, an array of numbers, or of such numbers alone, at the times @var{t}
+## (1-by-m, s), a column a time.
 ## @end deftypefn
 
 function values = at_times (f, t)
@@ -11,7 +11,7 @@ function values = at_times (f, t)
   endif
   values = f (t(1))(:);
   for k = 2:numel (t)
-    values(:,k) = f (t(k));
+    values(:,k) = f (t(k))(:);
   endfor
 endfunction
 

@@ -6,8 +6,8 @@
 
 function matrix = blocks_at (index, blocks, n)
   [r, b] = size (index);
-  row = repmat (reshape (index, r, 1, b), [1 r 1]);
-  column = repmat (reshape (index, 1, r, b), [r 1 1]);
+  row = reshape (index, r, 1, b)(:,ones (1, r),:);
+  column = reshape (index, 1, r, b)(ones (1, r),:,:);
   matrix = sparse (row(:), column(:), blocks(:), n, n);
 endfunction
 

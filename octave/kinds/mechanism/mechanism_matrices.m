@@ -27,7 +27,7 @@ function mass = mass_matrix (mechanism, d)
     [R, count] = size (index);
     own = zeros (R, R, count);
     n = R - 3;
-    own(1:n,1:n,:) = repmat (group.model.arrays.mass_matrix, [1 1 count]);
+    own(1:n,1:n,:) = group.model.arrays.mass_matrix(:,:,ones (1, count));
     last = [b.V_phi; b.phi_phi; b.phi_x; b.phi_y];
     own(:,n+1,:) = own(n+1,:,:) = reshape (last, R, 1, count);
     own(1:n,n+2,:) = own(n+2,1:n,:) = reshape (b.V_x, n, 1, count);
@@ -64,9 +64,9 @@ function by = markers_by_coordinates (mechanism, at)
   for part = at.parts
     part = part{1};
     R = rows (part.index);
-    number = repmat (of_states (part.numbers(:), 3*count, states)(:).', R, 1)(:);
+    number = of_states (part.numbers(:), 3*count, states)(:).'(ones (1, R),:)(:);
     row{end+1} = [number; number + count; number + 2*count];
-    column{end+1} = repmat (of_states (part.index, mechanism.n, states)(:), 3, 1);
+    column{end+1} = of_states (part.index, mechanism.n, states)(:)(:,ones (1, 3))(:);
     none = zeros (1, numel (part.numbers)*states);
     filled = @(V, phi, x, y) ([zeros(R - 3, 1) + V + none; phi + none; x; y])(:);
     value{end+1} = [filled(part.x_V, part.x_phi, 1 + none, none); filled(part.y_V, part.y_phi, none, 1 + none)
