@@ -66,14 +66,6 @@ function [states, count] = integrate (system, times, solver)
   endfunction
 endfunction
 
-function method = method_of (system, name)
-  table = integrator_table (system.forms);
-  if (strcmp (name, "auto"))
-    name = system.auto;
-  endif
-  method = table(strcmp (name, {table.name}));
-endfunction
-
 %!function system = pushed_mass ()   # x'' = 1 until t = 1, then 0
 %!  system = struct ("initial_state", [0; 0], "breaks", 1, "state_scale", [1; 1], ...
 %!                   "longest_step", Inf, "mass", 1, "stiffness", 0, "velocity_matrix", 1, "forms", {{"rate"}});

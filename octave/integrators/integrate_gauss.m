@@ -4,7 +4,7 @@
 ## (see @code{surface_rod}): order 8, symplectic in its canonical coordinates, stable for the stiffest bending and
 ## stretching.
 ##
-## Between two times as many equal steps are taken, doubled again and again, as bring the last doubling's change of place
+## Between two frames (all @var{times}, or those of @var{system}.frames) as many equal steps are taken, doubled again and again, as bring the last doubling's change of place
 ## within the interval's share of @var{solver}.tolerance (m), and the energy balance within 3e-9 of the largest energy,
 ## or of its floor system.energy_floor: a rod at rest has none to measure by.  Oscillations of stretching too fast for
 ## that keep their energy, not their phase.
@@ -19,11 +19,16 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
   n = system.n;
   largest = system.energy_floor;
   tangents = [];
-  for k = 2:numel (times)
-    interval = times([k-1, k]);
+  frames = times;
+  if (isfield (system, "frames"))
+    frames = times(ismember (times, [times([1, end]), system.frames]));
+  endif
+  for k = 2:numel (frames)
+    interval = frames([k-1, k]);
+    inside = times > interval(1) & times <= interval(2);
     tolerance = solver.tolerance*diff (interval)/system.duration;
     pieces = max (1, floor (m/2));
-    coarse = march (system, method, interval, y, pieces, []);
+    coarse = march (system, method, interval, y, pieces, [], interval(2));
     do
       m = 2*pieces;
       if (m > 2^13)
@@ -31,7 +36,8 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
                           "its steps shrank to nothing", ...
                           sprintf ("a larger tolerance than %.2g m", solver.tolerance));
       endif
-      [fine, tangents] = march (system, method, interval, y, m, tangents);
+      [between, tangents] = march (system, method, interval, y, m, tangents, times(inside));
+      fine = between(:,end);
       steps += 3*pieces;
       change = fine - coarse;
       [drift, largest] = energy_drift (system, y, fine, largest);
@@ -47,7 +53,7 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
     endif
     y = fine;
     system.refuse_singular (y(1:n), sprintf ("at t = %.4g s", interval(2)));
-    states(:,k) = y;
+    states(:,inside) = between;
   endfor
 endfunction
 
@@ -61,8 +67,10 @@ function [drift, largest] = energy_drift (system, before, after, largest)
   drift = max (abs (sum (E(:,2)) - sum (E(:,1))) - rounding, 0)/largest;
 endfunction
 
-## m equal steps; no numbers where Newton's iteration does not converge
-function [y, tangents] = march (system, method, interval, y, m, tangents)
+## m equal steps, and the states at some times of them, the last one the end; no numbers where Newton's iteration does
+## not converge
+function [states, tangents] = march (system, method, interval, y, m, tangents, times)
+  states = NaN (rows (y), numel (times));
   h = diff (interval)/m;
   n = system.n;
   acceleration = [];
@@ -78,13 +86,17 @@ function [y, tangents] = march (system, method, interval, y, m, tangents)
     [acceleration, stages, tangents, message] = collocation_stages (system, method, t, h, z, z_dot, acceleration, ...
                                                                     1e-12*system.points(end), tangents);
     if (! isempty (message))
-      y(:) = NaN;
       return;
     endif
     power = system.power (t + h*method.points.', stages{:});
+    inside = times >= t & times < interval(1) + h*i;
+    if (any (inside))
+      states(:,inside) = within_step (method.points, h, y, acceleration, power, (times(inside) - t)/h);
+    endif
     y = [z + h*z_dot + h^2*acceleration*method.second_weights.'; z_dot + h*acceleration*method.weights.'; ...
          y(2*n+1) + h*(power*method.weights.')];
   endfor
+  states(:,end) = y;
 endfunction
 
 %!test # against ode45: a soft pendulum on a torus, and the energy
@@ -100,6 +112,13 @@ endfunction
 %! n = system.n;
 %! E = sum (surface_energies (system, states(1:n,:), states(n+1:2*n,:))(1:3,:));
 %! assert (E, E(1)*[1 1 1 1], 1e-9);
+%! system.frames = times;  # between them: the same motion, at no more calls
+%! finer = 0:0.02:0.3;
+%! [dense, count] = integrate (system, finer, struct ("name", "gauss", "tolerance", 3e-9));
+%! [~, frames_count] = integrate (system, times, struct ("name", "gauss", "tolerance", 3e-9));
+%! assert (count.calls, frames_count.calls); assert (dense(:,1:5:end), states, 1e-12);
+%! alone = integrate (rmfield (system, "frames"), finer, struct ("name", "gauss", "tolerance", 3e-9));
+%! assert (dense(1:n,:), alone(1:n,:), 1e-5);
 %!test # at rest on a level plane and hanging at its place, it takes two steps a frame
 %! for inclination = [0, pi/2]
 %!   scene = struct ("surface", struct ("name", "plane", "inclination", inclination, "side", 0), "duration", 2, ...

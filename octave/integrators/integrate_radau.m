@@ -2,11 +2,12 @@
 ## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_radau (@var{system}, @var{times}, @var{start}, @var{solver})
 ## Radau IIA of order 9 (Hairer and Wanner, Solving Ordinary Differential Equations II, IV.8 and VII) on the stabilised
 ## index-2 formulation of Gear, Gupta and Leimkuhler (J. Comput. Appl. Math. 12, 1985), M (q' - v) + Phi_q' mu = 0,
-## M v' + Phi_q' lambda = f, Phi = 0, Phi' = 0: positions and velocities meet their constraints at every frame.
+## M v' + Phi_q' lambda = f, Phi = 0, Phi' = 0: positions and velocities meet their constraints at every
+## frame: at all @var{times}, or where @var{system}.frames (1-by-k, s) has some of them, at these.
 ##
-## Windows of many steps, or panels, are solved at once (see @code{radau_window}): twice as many as in the last one while
-## Newton's iteration converges well, half as many where it does not.  The panels' length follows from the embedded
-## formula of order 5, in @var{solver}.tolerance (m); a panel that is too long ends its window.
+## Windows of many steps, or panels, are solved at once (see @code{radau_window}): as many as @code{radau_plan} says.  The panels'
+## length follows from the embedded formula of order 5, in @var{solver}.tolerance (m); a panel that is too long ends its
+## window.
 ## @var{start} and @var{states} have q, v, W, D; states also lambda, a column a time of @var{times} (1-by-m, s).
 ## @end deftypefn
 
@@ -17,7 +18,7 @@ function [states, steps] = integrate_radau (system, times, start, solver)
   [y.a, y.lambda, at] = constrained_accelerations (system, y.t, y.q, y.v);
   y.sigma = at.springs.tension;
   states.lambda(:,1) = y.lambda;
-  plan = struct ("h", min (diff (times)(1)/4, 1e-3*system.duration), "whole", 0, "patience", 4);
+  plan = struct ("h", 1e-3*system.duration, "reach", Inf, "whole", 0, "patience", 4);
   plan.most = max (1, min (160, floor (14e3/system.n^2)));
   plan.panels = min (4, plan.most);
   guess = alone = @(t) taylor (y, t - y.t);
@@ -51,7 +52,7 @@ function [states, steps] = integrate_radau (system, times, start, solver)
       guess = alone;
       refused++;
     endif
-    plan = next_window (plan, window, count, kept);
+    plan = radau_plan (plan, window, count, kept);
     if (plan.h < 1e-10*system.duration || refused > 30)
       [~, jacobian] = system.matrices (system.at (y.t, y.q, y.v));
       refuse_dependent (system, y.t, jacobian, 1e-4);
@@ -59,35 +60,11 @@ function [states, steps] = integrate_radau (system, times, start, solver)
                         "a larger tolerance, or a look at the mechanism there");
     endif
   endwhile
-  [states.q, states.v] = onto_constraints (system, times, states.q, states.v);
-endfunction
-
-## Windows of many short panels that converge fast go further in a second than those of a few long ones, which turn or
-## vibrate too much for one matrix each.  Where even few do not converge so, the next windows (as many as there is
-## patience) have every stage's matrix.
-function plan = next_window (plan, window, panels, kept)
-  if (! window.converged && panels > 4)
-    plan.panels = ceil (panels/2);
-  elseif (! window.converged && ! plan.whole)
-    plan.whole = plan.patience;
-    plan.patience = min (2*plan.patience, 64);
-  elseif (! window.converged && panels > 1)
-    plan.panels = 1;
-  elseif (! window.converged)
-    plan.h /= 4;
-  elseif (kept < panels)
-    plan.h *= min (0.8, max (0.1, 0.85*window.error_ratio(kept+1)^(-1/6)));
-  else
-    by_error = max (0.3, 0.85*max ([window.error_ratio, 1e-12])^(-1/6));
-    by_iterations = [2 2 2 2 1.5 1.2 1.1 1 1 0.9 0.8](min (window.iterations, 11));
-    plan.h *= min (by_error, by_iterations);
-    if (plan.whole)
-      plan.whole--;
-      plan.panels = min (2*panels, 4);
-    elseif (window.iterations < 7)
-      plan.panels = min (2*panels, plan.most);
-    endif
+  met = true (size (times));
+  if (isfield (system, "frames"))
+    met = ismember (times, [system.frames, times(end)]);
   endif
+  [states.q(:,met), states.v(:,met)] = onto_constraints (system, times(met), states.q(:,met), states.v(:,met));
 endfunction
 
 function y = after (rule, window, y, h, kept)

@@ -11,11 +11,10 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
   n = system.n;
   states = repmat (y, 1, numel (times));
   t = times(1);
-  h = min (diff (times)(1), 1e-2*system.duration);
+  h = 1e-2*system.duration;
   a_start = -system.mass_matrix (y(1:n)) \ system.residual (t, y(1:n), y(n+1:2*n), zeros (n, 1));
   a = repmat (a_start, 1, numel (method.points));
   steps = refused = 0;
-  k = 1;
   while (t < times(end))
     to_go = ceil ((times(end) - t)/h*(1 - 1e-9));
     h = min (h, (times(end) - t)/to_go);
@@ -30,13 +29,11 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
     endif
     if (growth >= 0.85)
       power = system.power (t + h*method.points.', stages{:});
-      while (k < numel (times) && (times(k+1) <= t + h*(1 + 1e-12)))
-        k++;
-        states(:,k) = within_step (method, h, y, a, power, min (1, (times(k) - t)/h));
-        system.refuse_singular (states(1:n,k), sprintf ("at t = %.4g s", times(k)));
-      endwhile
-      y = within_step (method, h, y, a, power, 1);
+      inside = times > t & times <= t + h*(1 + 1e-12);
+      states(:,inside) = within_step (method.points, h, y, a, power, min (1, (times(inside) - t)/h));
+      y = within_step (method.points, h, y, a, power, 1);
       t += h;
+      system.refuse_singular (y(1:n), sprintf ("at t = %.4g s", t));
       if (to_go == 1)
         t = times(end);
       endif
@@ -66,15 +63,6 @@ endfunction
 ## values of the polynomials at the points of the next step, so many times as long
 function matrix = onward (method, growth)
   matrix = method.coefficients*((1 + growth*method.points).^method.powers).';
-endfunction
-
-## the state at a part x of the step
-function y = within_step (method, h, y, a, power, x)
-  n = rows (a);
-  p = method.powers;
-  once = method.coefficients*(x.^(p + 1)./(p + 1)).';
-  twice = method.coefficients*(x.^(p + 2)./((p + 1).*(p + 2))).';
-  y += [h*x*y(n+1:2*n) + h^2*(a*twice); h*(a*once); h*(power*once)];
 endfunction
 
 ## in metres; filtered, so that stiff modes count as what they will be

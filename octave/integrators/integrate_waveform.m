@@ -101,12 +101,12 @@ endfunction
 ## at the frames in the panels that are taken
 function states = states_inside (modal, window, frames, taken)
   R = rows (window.starts);
-  states = zeros (R, sum (frames.panel <= taken));
-  for i = 1:columns (states)
-    of_frame = (i - 1)*R + (1:R);
-    k = frames.panel(i);
-    states(:,i) = frames.free(of_frame,:)*window.starts(:,k) + frames.forced(:,of_frame).'*window.remainders(:,k);
-  endfor
+  panel = frames.panel(frames.panel <= taken);
+  of_frames = 1:R*numel (panel);
+  of_panel = panel(ceil (of_frames/R));
+  states = sum (frames.free(of_frames,:).*window.starts(:,of_panel).', 2) ...
+           + sum (frames.forced(:,of_frames).*window.remainders(:,of_panel), 1).';
+  states = reshape (full (states), R, []);
   states = modal.state (states);
 endfunction
 

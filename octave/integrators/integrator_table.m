@@ -18,6 +18,9 @@
 ## @item share
 ## the part of the tolerance that a step may be off by is 1/share, so that the largest error of all frames stays near
 ## it: a general method has to follow every oscillation (measured on the scene `paper', tests of @code{integrate})
+## @item dense
+## whether states at times between system.frames (1-by-k, s, of those asked for) cost next to nothing, and nothing else
+## hangs on how many there are
 ## @end table
 ## @end deftypefn
 
@@ -30,31 +33,31 @@ function table = integrator_table (forms)
   steps = @(method) constrained (@(varargin) integrate_constrained_steps (method, varargin{:}));
   dae = @(code) constrained (@(varargin) integrate_dae (code, varargin{:}));
   rows = {
-    "waveform",          "oscillators",   @integrate_waveform,                            8, true,  1
-    "exponential",       "oscillators",   @integrate_exponential,                         4, true,  4
-    "ode45",             "rate",          explicit(@ode45),                               5, true,  400
-    "ode23",             "rate",          explicit(@ode23),                               3, true,  400
-    "ode23s",            "rate",          @integrate_ode23s,                              2, true,  400
-    "ode15s",            "rate",          @integrate_ode15s,                              0, true,  400
-    "lsode_adams",       "rate",          lsode_of("adams"),                              0, true,  400
-    "lsode_bdf",         "rate",          lsode_of("bdf"),                                0, true,  400
-    "rk4",               "rate",          @(varargin) integrate_fixed (@rk4, 4, varargin{:}), 4, false, 4
-    "stormer_verlet",    "momenta",       fixed(@stormer_verlet),                         2, false, 4
-    "implicit_midpoint", "momenta",       fixed(@implicit_midpoint),                      2, false, 4
-    "generalized_alpha", "accelerations", fixed(@generalized_alpha),                      2, false, 4
-    "trigonometric",     "momenta",       fixed(@trigonometric),                          2, false, 4
-    "gauss",             "residual",      @integrate_gauss,                               8, true,  1
-    "radau",             "constrained",   constrained(@integrate_radau),                  9, true,  1
-    "radau",             "residual",      @integrate_radau_residual,                     9, true,  4
-    "projection",        "constrained",   index_1("projection"),                          5, true,  1
-    "baumgarte",         "constrained",   index_1("baumgarte"),                           5, true,  1
-    "acceleration",      "constrained",   index_1("acceleration"),                        5, true,  1
-    "generalized_alpha", "constrained",   steps(@index3_alpha),                           2, false, 1
-    "variational",       "constrained",   steps(@variational),                            2, false, 1
-    "ode15i",            "constrained",   dae("ode15i"),                                  0, true,  1
-    "daspk",             "constrained",   dae("daspk"),                                   0, true,  1
+    "waveform",          "oscillators",   @integrate_waveform,                            8, true,  1,   false
+    "exponential",       "oscillators",   @integrate_exponential,                         4, true,  4,   false
+    "ode45",             "rate",          explicit(@ode45),                               5, true,  400, false
+    "ode23",             "rate",          explicit(@ode23),                               3, true,  400, false
+    "ode23s",            "rate",          @integrate_ode23s,                              2, true,  400, false
+    "ode15s",            "rate",          @integrate_ode15s,                              0, true,  400, false
+    "lsode_adams",       "rate",          lsode_of("adams"),                              0, true,  400, false
+    "lsode_bdf",         "rate",          lsode_of("bdf"),                                0, true,  400, false
+    "rk4",               "rate",          @(varargin) integrate_fixed (@rk4, 4, varargin{:}), 4, false, 4,   false
+    "stormer_verlet",    "momenta",       fixed(@stormer_verlet),                         2, false, 4,   false
+    "implicit_midpoint", "momenta",       fixed(@implicit_midpoint),                      2, false, 4,   false
+    "generalized_alpha", "accelerations", fixed(@generalized_alpha),                      2, false, 4,   false
+    "trigonometric",     "momenta",       fixed(@trigonometric),                          2, false, 4,   false
+    "gauss",             "residual",      @integrate_gauss,                               8, true,  1,   true
+    "radau",             "constrained",   constrained(@integrate_radau),                  9, true,  1,   true
+    "radau",             "residual",      @integrate_radau_residual,                     9, true,  4,   true
+    "projection",        "constrained",   index_1("projection"),                          5, true,  1,   false
+    "baumgarte",         "constrained",   index_1("baumgarte"),                           5, true,  1,   false
+    "acceleration",      "constrained",   index_1("acceleration"),                        5, true,  1,   false
+    "generalized_alpha", "constrained",   steps(@index3_alpha),                           2, false, 1,   false
+    "variational",       "constrained",   steps(@variational),                            2, false, 1,   false
+    "ode15i",            "constrained",   dae("ode15i"),                                  0, true,  1,   false
+    "daspk",             "constrained",   dae("daspk"),                                   0, true,  1,   false
   };
-  table = cell2struct (rows, {"name", "form", "run", "order", "adaptive", "share"}, 2).';
+  table = cell2struct (rows, {"name", "form", "run", "order", "adaptive", "share", "dense"}, 2).';
   if (nargin > 0)
     table = table(ismember ({table.form}, forms));
   endif

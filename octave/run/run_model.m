@@ -1,5 +1,5 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{run} =} run_model (@var{kind}, @var{scene}, @var{model}, @var{solver}, @var{before})
+## @deftypefn {} {@var{run} =} run_model (@var{kind}, @var{scene}, @var{model}, @var{solver}, @var{before}, @var{dense})
 ## The motion of a checked scene of a @var{kind} (see @code{kind_of}) as a @var{model} has it, by the @var{solver} (a
 ## struct as scene.solver, which is the default): a struct of
 ##
@@ -10,6 +10,9 @@
 ## what is observed at the frame times: a struct with t, T, U, Z, W, D, balance and energy_floor, and what the kind has
 ## @item x, y, z
 ## the points that tell two motions apart (points-by-frames, m; z where they leave the plane; see @code{distance})
+## @item between
+## the frames' times and some between them, t (1-by-m, s), and the states then, where they are to be @var{dense}, or cost the
+## method next to nothing
 ## @end table
 ##
 ## A run @var{before} leads this one (see led_by of a kind). Where it is of the same model the energies are known: work
@@ -17,9 +20,9 @@
 ## error, but that "auto" tries with less first, three times.
 ## @end deftypefn
 
-function run = run_model (kind, scene, model, solver = scene.solver, before = [])
-  times = frame_times (scene);
+function run = run_model (kind, scene, model, solver = scene.solver, before = [], dense = false)
   system = started_system (kind, scene, model);
+  system.frames = frame_times (scene);
   if (! isempty (before))
     system = kind.led_by (system, before);
     if (isequal (before.model, model))
@@ -27,8 +30,13 @@ function run = run_model (kind, scene, model, solver = scene.solver, before = []
     endif
   endif
   for attempt = 1:4
+    times = system.frames;
+    if (dense || method_of (system, solver.name).dense)
+      times = finer_times (times, 4096);
+    endif
     [states, count] = integrate (system, times, solver);
-    run = kind.observe (scene, model, system, times, states);
+    at_frames = ismember (times, system.frames);
+    run = kind.observe (scene, model, system, system.frames, states(:,at_frames));
     off = max (energy_error (run.history));
     if (! strcmp (solver.name, "auto") || off <= 0.05 || count.still)
       break;
@@ -39,8 +47,17 @@ function run = run_model (kind, scene, model, solver = scene.solver, before = []
   run.model = model;
   run.solver = solver;
   run.end_state = states(:,end);
+  if (! all (at_frames))
+    run.between = struct ("t", times, "states", states);
+  endif
   run.count = count;
   run.warnings = system.warnings;
+endfunction
+
+## the frames' times, and equally many between two as make so many in all, or some more
+function times = finer_times (frames, count)
+  each = max (1, ceil (count/numel (frames)));
+  times = [(frames(1:end-1) + (0:each-1).'/each.*diff (frames, 1, 2))(:).', frames(end)];
 endfunction
 
 ## W and D may be off by 1e-6 of what changes, as the integrator estimates it: some tens of times what they are off by

@@ -1,27 +1,42 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{drawing} =} with_dense_curves (@var{drawing}, @var{kind}, @var{scene}, @var{run})
-## The @var{drawing} of a @var{run} (see @code{draw_pictures}), with the panels of @file{history.svg} from 2000 times
-## of the run, panel_time, where the frames' samples miss what is between them: where a curve through every second
-## frame is off from the others by more than a hundredth of its range.  Where it would take too long, a note says so.
+## The @var{drawing} of a @var{run} (see @code{draw_pictures}), with its spectrum, and with the panels of
+## @file{history.svg} from some 2000 times of the run, panel_time, where the frames' samples miss what is between them:
+## where a curve through every second frame is off from the others by more than a hundredth of its range.  A run
+## without states between its frames is integrated once more for that; where it would take too long, a note says so.
 ## @end deftypefn
 
 function drawing = with_dense_curves (drawing, kind, scene, run)
-  rate = ceil (2000/scene.duration);
-  if (rate <= scene.frames_per_second || numel (drawing.time) < 5 || are_smooth (drawing.panels, drawing.time))
-    return;
+  if (numel (drawing.time) >= 5 && numel (drawing.time) < 2000 && ! are_smooth (drawing.panels, drawing.time))
+    try
+      run = with_states_between (kind, scene, run);
+      dense = between_frames (kind, scene, run);
+      drawing.panels = kind.panels (scene, dense);
+      drawing.panel_time = dense.history.t;
+    catch err
+      if (! strcmp (err.identifier, "toolchain:integration"))
+        rethrow (err);
+      endif
+      if (! isfield (drawing, "notes"))
+        drawing.notes = {};
+      endif
+      drawing.notes{end+1} = sprintf ("the curves of history.svg miss what is between frames: %s", strtrim (err.message));
+    end_try_catch
   endif
-  try
-    dense = dense_run (kind, scene, run, rate, 10);
-  catch err
-    if (! strcmp (err.identifier, "toolchain:integration"))
-      rethrow (err);
-    endif
-    drawing.notes{end+1} = sprintf ("the curves of history.svg miss what is between frames: %s", strtrim (err.message));
-    return;
-  end_try_catch
-  curves = kind.drawing (scene, dense);
-  drawing.panels = curves.panels;
-  drawing.panel_time = curves.time;
+  drawing.spectrum = kind.spectrum (scene, run);
+endfunction
+
+function run = with_states_between (kind, scene, run)
+  if (! isfield (run, "between"))
+    run.between = run_model (kind, scene, run.model, setfield (run.solver, "seconds", 10), run, true).between;
+  endif
+endfunction
+
+function dense = between_frames (kind, scene, run)
+  picked = 1:max (1, round (numel (run.between.t)/2000)):numel (run.between.t);
+  system = started_system (kind, scene, run.model);
+  dense = kind.observe (scene, run.model, system, run.between.t(picked), run.between.states(:,picked));
+  dense.model = run.model;
 endfunction
 
 ## What is a thousandth of other curves of its unit, as the energy balance is, may jump.
@@ -47,11 +62,23 @@ endfunction
 %! assert (isfield (drawn (scene), "panel_time"), false);
 %! scene = setfield (setfield (setfield (paper (), "model", "modes", [0 4]), "duration", 0.6), "frames_per_second", 20);
 %! rings = drawn (scene);
-%! assert (numel (rings.panel_time), 2001); assert (columns (rings.panels(1).values), 2001);
+%! assert (numel (rings.panel_time), 2000, 200); assert (columns (rings.panels(1).values), numel (rings.panel_time));
+%!test # as they are where frames are as dense
+%! scene = setfield (setfield (setfield (paper (), "model", "modes", [0 2]), "duration", 0.6), "frames_per_second", 20);
+%! scene = check_scene (scene);
+%! run = run_model (rod_kind (), scene, build_model (scene, rung_of_scene (scene)));
+%! alone = struct ("time", run.history.t, "panels", rod_panels (run.history, undeformed_tip (run.model)));
+%! curves = with_dense_curves (alone, rod_kind (), scene, run);
+%! dense = rod_panels (dense_run (rod_kind (), scene, run, 20000).history, undeformed_tip (run.model));
+%! for k = 1:numel (dense) - 1
+%!   values = interp1 (0:5e-5:0.6, dense(k).values.', curves.panel_time, "spline").';
+%!   assert (curves.panels(k).values, values, 1e-4*max (range (values, 2)));
+%! endfor
 %!test # nothing is drawn again where the run would take too long
 %! scene = setfield (setfield (paper (), "model", "modes", [0 4]), "duration", 0.6);
 %! scene = check_scene (setfield (scene, "frames_per_second", 20));
 %! run = run_model (rod_kind (), scene, build_model (scene, rung_of_scene (scene)));
 %! slow = setfield (rod_kind (), "system", @(varargin) error ("toolchain:integration", "given up after 10 s\n"));
-%! drawing = with_dense_curves (rod_drawing (scene, run.model, run.history), slow, scene, run);
+%! drawing = rmfield (rod_drawing (scene, run.model, run.history), "notes");
+%! drawing = with_dense_curves (drawing, slow, scene, run);
 %! assert (drawing.notes{end}, "the curves of history.svg miss what is between frames: given up after 10 s");

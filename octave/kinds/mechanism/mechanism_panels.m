@@ -1,11 +1,11 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{panels} =} mechanism_panels (@var{scene}, @var{mechanism}, @var{history}, @var{names})
 ## Panels (see @code{new_panel}) of a mechanism's history, those with the @var{names}: "angles", "tips",
-## "reactions" (sizes of the joints' forces), "energies" (with their balance).  Of more than six curves there are
+## "reactions" (sizes of the joints' forces), "energies" (with their balance); all by default.  Of more than six curves there are
 ## the first and the last three.
 ## @end deftypefn
 
-function panels = mechanism_panels (scene, mechanism, history, names)
+function panels = mechanism_panels (scene, mechanism, history, names = {"angles", "tips", "reactions", "energies"})
   bodies = history.bodies;
   [shown, of_bodies] = few ({scene.bodies.name});
   [forces, joints] = reaction_sizes (scene, mechanism, history);

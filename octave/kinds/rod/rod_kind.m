@@ -23,8 +23,9 @@ function kind = rod_kind ()
   kind.limits = @(scene, run) rod_limits (scene, run.model, run.history, 0.2);
   kind.warnings = @(scene, run) validity_warnings (scene, run.model, run.history);
   kind.columns = @rod_columns;
-  kind.drawing = @(scene, run) setfield (rod_drawing (scene, run.model, run.history), "spectrum", ...
-                                         tip_spectrum (scene, run.model));
+  kind.drawing = @(scene, run) rod_drawing (scene, run.model, run.history);
+  kind.panels = @(scene, run) rod_panels (run.history, undeformed_tip (run.model));
+  kind.spectrum = @tip_spectrum;
   kind.rungs = @rungs_around;
   kind.exact = @exact_runs;
   kind.literal = @paper_sines;

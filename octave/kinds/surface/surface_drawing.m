@@ -30,16 +30,8 @@ function drawing = surface_drawing (system, scene, history)
   [x, y] = seen (patch, scene.view);
   drawing.backdrop = [lines_of(x, y), lines_of(x.', y.')];
 
-  tip = without_zeros (new_panel ("tip", "m", {"x", "y", "z"}, history.tip));
-  reaction = new_panel ("reaction", "N/m", {"smallest", "largest"}, ...
-                        [min(history.reaction, [], 1); max(history.reaction, [], 1)]);
-  if (max (abs (history.reaction(:))) < 1e-12*scene.rod.EA/scene.rod.length)
-    reaction = [];  # rounding, as on an upright plane
-  endif
-  momentum = without_zeros (new_panel ("angular momentum", "kg m²/s", {"x", "y", "z"}, history.angular_momentum));
-  energies = energy_panels (history);
-  drawing.strips = [tip, reaction, energies(1)];
-  drawing.panels = [tip, reaction, energies, momentum];
+  drawing.panels = surface_panels (scene, history);
+  drawing.strips = drawing.panels(ismember ({drawing.panels.label}, {"tip", "reaction", "energies"}));
   drawing.equations = {"surface", ["surface_" scene.surface.name]};
 endfunction
 
