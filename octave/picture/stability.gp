@@ -27,7 +27,8 @@ do for [kind in "svg png"] {
   set key bottom right
   plot $ode45_wall using 1:2 with linespoints lw 2 pt 7 title "ode45", \
        $ode23_wall using 1:2 with linespoints lw 2 pt 5 title "ode23", \
-       0.9972 lc 1 dt 2 title "limit 0.997", 1.7321 lc 2 dt 2 title "limit 1.732"
+       ode45_limit lc 1 dt 2 title sprintf("limit %.3f", ode45_limit), \
+       ode23_limit lc 2 dt 2 title sprintf("limit %.3f", ode23_limit)
   unset logscale
   set format x
   set autoscale

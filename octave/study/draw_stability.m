@@ -5,7 +5,7 @@
 ## @end deftypefn
 
 function job = draw_stability (pictures, scratch)
-  text = "";
+  text = gnuplot_settings (struct ("ode45_limit", stability_limit ("ode45"), "ode23_limit", stability_limit ("ode23")));
   for method = {"rk4", "ode45", "ode23"}
     text = [text, gnuplot_block([method{1} "_region"], {region(method{1})})];
   endfor
@@ -62,3 +62,4 @@ endfunction
 %! marks = points_of ("marks");
 %! assert (marks(:,1), zeros (14, 1)); assert (marks(end,2), 2.828, 1e-3); assert (marks(1,2) > 0);
 %! assert (points_of ("damping"), pair/3, 1e-6); assert (points_of ("ode23_wall"), wall, 1e-9);
+%! assert (str2double (regexp (text, "ode23_limit = (\\S+)", "tokens", "once"){1}), sqrt (3), 1e-4);
