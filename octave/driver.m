@@ -27,14 +27,8 @@ endfunction
 function result = run_scene (scene, options)
   start = tic ();
   command = repeat_command (scene, options);
-  [scene, name] = load_scene (scene);
-  [scene, output] = take_options (scene, fullfile ("output", name), options);
-  kind = kind_of (scene);
-  scene = kind.check (scene);
+  [scene, kind, output, name] = checked_scene (scene, options);
   announce_breaks (scene.probed);
-  if (isempty (scene.title))
-    scene.title = name;
-  endif
   prepare_output (output, scene);
 
   try

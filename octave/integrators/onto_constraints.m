@@ -21,9 +21,9 @@ function [q, v] = moved (system, t, q, v)
     [mass, jacobian] = system.matrices (at);
     c = rows (jacobian);
     unit = full (mean (abs (diag (mass))));
-    moved = [mass, unit*jacobian.'; unit*jacobian, sparse(c, c)] \ [zeros(numel (q), 2); unit*off];
-    q += reshape (moved(1:numel (q),1), size (q));
-    v += reshape (moved(1:numel (q),2), size (q));
+    step = [mass, unit*jacobian.'; unit*jacobian, sparse(c, c)] \ [zeros(numel (q), 2); unit*off];
+    q += reshape (step(1:numel (q),1), size (q));
+    v += reshape (step(1:numel (q),2), size (q));
   endfor
 endfunction
 

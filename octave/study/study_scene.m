@@ -13,14 +13,7 @@ function [scene, kind, output, left] = study_scene (which, options, change = @(s
   [budget, options] = taken_option (options, "budget", 60, @(s) isscalar (s) && isreal (s) && s > 0, ...
                                     "seconds, a positive number");
   left = @() budget - toc (start);
-  [scene, name] = load_scene (which);
-  [scene, output] = take_options (scene, fullfile ("output", name), options);
-  scene = change (scene);
-  kind = kind_of (scene);
-  scene = kind.check (scene);
-  if (isempty (scene.title))
-    scene.title = name;
-  endif
+  [scene, kind, output] = checked_scene (which, options, change);
   if (numel (frame_times (scene)) < 2)
     scene_error ("duration is %g: a study takes more than one frame, at %g frames a second", scene.duration, ...
                  scene.frames_per_second);
