@@ -8,18 +8,17 @@ function warnings = body_warnings (scene, run)
   warnings = {};
   for k = 1:numel (run.history.bodies)
     body = scene.bodies(k);
-    model = run.model.models{k};
-    history = run.history.bodies(k);
-    [slope, strain] = largest_slopes (model, history.V);
-    if (slope > 0.3)
-      warnings{end+1} = sprintf (["%s bends to a slope of %.2g: the model holds below some 0.3; take it as several" ...
-                                  " rods welded together"], body.name, slope);
+    limits = limits_of_body (scene, run, k);
+    [slope, strain] = limits(1:2).reached;
+    if (slope > limits(1).limit)
+      warnings{end+1} = sprintf (["%s bends to a slope of %.2g: the model holds below some %g; take it as several" ...
+                                  " rods welded together"], body.name, slope, limits(1).limit);
     endif
-    if (strain > 0.01)
+    if (strain > limits(2).limit)
       warnings{end+1} = sprintf (["%s is strained by %.2g, linear elasticity holds for small strains: take smaller" ...
                                   " loads"], body.name, strain);
     endif
-    spin = spin_warning (body, model, max (abs (history.phi_dot)));
+    spin = spin_warning (body, run.model.models{k}, max (abs (run.history.bodies(k).phi_dot)));
     warnings = [warnings, strcat(body.name, {": "}, spin)];
   endfor
 endfunction

@@ -40,8 +40,7 @@ endfunction
 function limits = limits_of_bodies (scene, run)
   limits = struct ("what", {}, "limit", {}, "reached", {});
   for k = 1:numel (scene.bodies)
-    own = rod_limits (scene.bodies(k), run.model.models{k}, run.history.bodies(k), 0.3);
-    for limit = own
+    for limit = limits_of_body (scene, run, k)
       limits(end+1) = setfield (limit, "what", [scene.bodies(k).name ": " limit.what]);
     endfor
   endfor

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{warnings} =} validity_warnings (@var{scene}, @var{model}, @var{history})
 ## Where a run leaves what its model holds for: a cellstr of warnings with numbers and remedies.  Looked at are the
-## slope v2,1 and the strain, the rate of rotation against the first frequency of the simply supported rod, the times
+## slope v2,1 and the strain (see @code{rod_limits}), the rate of rotation against the first frequency of the simply supported rod, the times
 ## of the loads' changes against the highest mode, and the drawn slope at the scene's zoom.
 ## @end deftypefn
 
@@ -12,12 +12,13 @@ endfunction
 
 function warnings = slope_warnings (scene, model, history)
   warnings = {};
-  [slope, strain] = largest_slopes (model, history.V);
-  if (slope > 0.2)
+  limits = rod_limits (scene, model, history);
+  [slope, strain] = limits(1:2).reached;
+  if (slope > limits(1).limit)
     warnings{end+1} = sprintf (["the slope v2,1 reaches %.2g, the theory holds for small ones: errors of its" ...
                                 " square are %.1g; take a stiffer rod or smaller loads"], slope, slope^2/2);
   endif
-  if (strain > 0.01)
+  if (strain > limits(2).limit)
     warnings{end+1} = sprintf (["the strain v1,1 reaches %.2g, linear elasticity holds for small ones:" ...
                                 " take smaller loads"], strain);
   endif

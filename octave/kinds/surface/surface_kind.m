@@ -20,8 +20,8 @@ function kind = surface_kind ()
   kind.instead = @(scene) "";
   kind.foreseen = @(scene, model) {};
   kind.describe = @describe_surface;
-  kind.limits = @(scene, run) struct ("what", "axial strain", "limit", 0.05, "reached", run.history.largest_strain);
-  kind.warnings = @(scene, run) [pull_warning(run.history, scene), strain_warning(run.history.largest_strain)];
+  kind.limits = @limits_of_rod;
+  kind.warnings = @(scene, run) [pull_warning(run.history, scene), strain_warning(limits_of_rod (scene, run))];
   kind.columns = @surface_columns;
   kind.drawing = @(scene, run) surface_drawing (run.model, scene, run.history);
   kind.panels = @(scene, run) surface_panels (scene, run.history);
@@ -97,11 +97,15 @@ function warnings = pull_warning (history, scene)
   endif
 endfunction
 
+function limits = limits_of_rod (scene, run)
+  limits = struct ("what", "axial strain", "limit", 0.05, "reached", run.history.largest_strain);
+endfunction
+
 function warnings = strain_warning (strain)
   warnings = {};
-  if (strain > 0.05)
+  if (strain.reached > strain.limit)
     warnings = {sprintf("the axial strain reaches %.2g, linear elasticity holds for small ones: take a larger EA", ...
-                        strain)};
+                        strain.reached)};
   endif
 endfunction
 
