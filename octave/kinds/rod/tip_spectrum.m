@@ -1,14 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{spectrum} =} tip_spectrum (@var{scene}, @var{run})
-## The amplitude spectra of a hinged rod's tip deflection, along and across the tangent at O: a struct of @code{label},
-## @code{unit}, @code{names}, @code{frequency} (1-by-K, Hz), @code{values} (2-by-K, m), @code{predicted} (1-by-n, Hz:
-## the free oscillations of the undeformed model), and @code{note}, a text that says how the motion was sampled.
-## Empty for a rigid rod.
+## The spectra of a hinged rod's tip (see @code{spectrum_of_tip}) in a @var{run}; empty for a rigid rod.
 ##
 ## The frames are too far apart for it: the states between them are sampled at three times the highest predicted
 ## frequency, or as often as the @var{run} has them (see @code{run_model}); where it has none, the motion is integrated
-## once more, for 4096 times at most.  Frequencies beyond the half of the rate are left out, and the note says so.
-## The window is Hann's; a harmonic oscillation at one of the frequencies has its amplitude there.
+## once more, for 4096 times at most.
 ## @end deftypefn
 
 function spectrum = tip_spectrum (scene, run)
@@ -25,17 +21,7 @@ function spectrum = tip_spectrum (scene, run)
   if (isempty (times))
     return;
   endif
-  highest = 1/(2*diff (times)(1));
-  slow = modes(:,all_predicted < highest);
-  deflection = deflection_of (model, system.motion (times, states), slow*(slow.'*system.mass));
-  [frequency, values] = amplitude_spectrum (deflection, diff (times)(1));
-  seen = predicted < highest;
-  spectrum = struct ("label", "spectra of the tip from tangent", "unit", "m", "names", {{"along", "across"}}, ...
-                     "frequency", frequency, "values", values, "predicted", predicted(seen));
-  spectrum.note = ["sampled at " in_hertz(2*highest)];
-  if (! all (seen))
-    spectrum.note = sprintf ("%s; %d predicted ones lie beyond %s", spectrum.note, sum (! seen), in_hertz (highest));
-  endif
+  spectrum = spectrum_of_tip (model, system.motion (times, states), diff (times)(1), modes, all_predicted, system.mass);
 endfunction
 
 ## so many times or more, if there are
@@ -56,28 +42,6 @@ function [times, states] = sampled (run, system, scene, samples)
     endif
     times = states = [];
   end_try_catch
-endfunction
-
-function text = in_hertz (frequency)
-  [scale, unit] = unit_prefix (frequency, "Hz");
-  text = sprintf ("%.4g %s", frequency/scale, unit);
-endfunction
-
-## of some modes alone, by the projector on them
-function deflection = deflection_of (model, motion, projector)
-  history = struct ("phi", motion.phi, "q", motion.q);
-  if (rows (projector) > rows (motion.q))
-    projected = projector*[motion.q; motion.phi];
-    history.q = projected(1:end-1,:);
-    history.phi = projected(end,:);
-  else
-    history.q = projector*motion.q;
-  endif
-  history.V = model.basis*history.q;
-  history.psi = rod_tangent_angle (struct ("phi", history.phi, "V", history.q), model.arrays);
-  [history.tip_x, history.tip_y] = centreline (model, model.length, history, 1);
-  [along, across] = tip_deflection (history, undeformed_tip (model));
-  deflection = [along; across];
 endfunction
 
 %!test # a rod struck softly oscillates at its first frequency, with its amplitude
