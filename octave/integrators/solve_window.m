@@ -81,3 +81,6 @@ endfunction
 %! [~, y] = ode45 (@(t, y) [y(2); -4*y(1) - y(1)^3/10], [0 0.1 0.2], [1; 0], options);
 %! assert (window.converged);
 %! assert (window.starts, y.', 1e-9);
+%! modal.remainder = @(t, z) [0*z(1,:); -1e4*z(1,:)];  # sweeps that grow are given up
+%! window = solve_window (modal, 0, [1; 0], 0.1, 2, panel, 1e-9);
+%! assert ([window.converged, window.sweeps], [0 4]);

@@ -43,3 +43,7 @@ endfunction
 %! joint_value (struct ("kind", "force", "value", [1 2 3]), "joints(1).value", []);
 %!error <joints\(4\).value gives a number that is not finite at t = 2>
 %! joint_value (struct ("kind", "force", "value", @(t) [t NaN]), "joints(4).value", []) (2);
+%!test # a weld keeps the angle at which its tangents begin, without a rate
+%! body = struct ("rod", struct ("curvature", []), "model", [], "initial", struct ("phi", 1));
+%! weld = struct ("kind", "weld", "bodies", [1 0], "stations", [0 0], "direction", 0.25);
+%! assert (joint_value (weld, "joints(1).value", body) (5), [0 0 0.75; 0 0 0; 0 0 0]);

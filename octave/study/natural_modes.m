@@ -123,3 +123,7 @@ endfunction
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");
 %! end_unwind_protect
+%!test # upright it falls, by exp (sqrt (3 g/(2 l)) t)
+%! scene = setfield (setfield (slender (), "initial", "phi", pi/2), "gravity", 0.1);
+%! said = evalc ("table = natural_modes (scene, 'modes', [0 0], 'output', '');");
+%! assert (table.growth, sqrt (0.15), 1e-6); assert (! isempty (strfind (said, "unstable: grows by exp (0.3873 t)")));

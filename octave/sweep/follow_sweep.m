@@ -101,4 +101,7 @@ endfunction
 %!  delete (note);
 %!  assert (sort ({dir(folder).name}), {".", "..", "points", "scratch"});
 %!endfunction
-%!test in_scratch (@(folder, scratch) check (folder));
+%!test # the line of progress is cleared in the end
+%! said = {"show_progress", "text", "printf (\"<%s>\", text);"};
+%! text = evalc ("with_stand_ins (said, @() in_scratch (@(folder, scratch) check (folder)));");
+%! assert (! isempty (strfind (text, "<2 of 4 points done, 1 failed"))); assert (text(end-1:end), "<>");

@@ -57,6 +57,9 @@ endfunction
 %!     assert (slowest (spinner (hub, count), speed, 2), turning_beam (speed, 2, "clamped"), -2e-5);
 %!   endfor
 %! endfor
+%!test # what turns one body against the other is no speed about the point that holds them
+%! between = {struct("kind", "angle", "bodies", [1 2], "stations", [0.5 0], "value", @(t) [6*t, 6, 0])};
+%! assert (steady_mechanism (spinner (between, 2)).speed, NaN);
 %!test # free at its hinge, in two: it turns, and bends
 %! assert (slowest (spinner ({}, 2), 6, 3), [0, rotating_beam(6, 2).'], 1e-2);
 %!test # a rod pinned to the rim of a rigid hub swings at spin*sqrt (3/2 radius/length)

@@ -47,3 +47,7 @@ endfunction
 %! scene = check_scene (setfield (setfield (paper (), "initial", "V2", [1 2]), "model", "modes", [1 3]));
 %! start = hinged_rod (scene, build_model (scene, rung_of_scene (scene))).initial_state;
 %! assert (start(1:5), [0; 1; 2; 0; -pi/6], 1e-12);
+%!error <initial.V1 has 31 amplitudes: the model has 30 such modes>
+%! scene = check_scene (setfield (paper (), "initial", "V1", ones (1, 31)));
+%! rung = struct ("sines", [], "bending", 1, "longitudinal", 1, "axial", "dynamic", "stiffening", "none");
+%! initial_coordinates (scene.initial, build_model (scene, rung), []);

@@ -56,3 +56,6 @@ endfunction
 %! assert (balance.shape (z){1}([1 end],:), [0 0 0; 2 0 0], 1e-12);
 %! assert (balance.shape ([z, 0.05*(1:6 == 2).']){1}([1 end],1,2), [-0.05; 2.05], 1e-12);
 %! assert (balance.names, {"rod"}); assert (balance.bodies, {1:6});
+%! z = 0.01*(1:6 == 2).';
+%! a = balance.accelerations (0, z, 0*z);  # with these nothing is out of balance
+%! assert (balance.moving (0, z, 0*z, a, []), zeros (6, 1), 1e-12); assert (norm (a) > 0.01);

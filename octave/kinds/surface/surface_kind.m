@@ -152,6 +152,7 @@ endfunction
 %! tighter = @(off) kind.tighter (struct ("tolerance", 1), off).tolerance;
 %! assert (arrayfun (tighter, [1e-7 1e-6 1e-4]), [0.1 0.05 1], 1e-12);
 %! assert (cell2mat (kind.rungs (scene, [6 6], [9 9]).'), [5 6 7 8 9].'*[1 1]);
+%! assert (numel (kind.rungs (scene, [6 6], [13 13])), 7);
 %!test # when it would lift off, and by how much
 %! said = @(reaction) surface_kind ().warnings (struct ("surface", struct ("side", 1)), ...
 %!   struct ("history", struct ("t", [0 1 2], "reaction", reaction, "largest_strain", 0)));
