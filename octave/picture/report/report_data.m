@@ -76,11 +76,11 @@ function data = body_data (body, stress, range, shown, units)
   endif
 endfunction
 
-## A hinge goes with the point of a body that it lies on in all frames, at any zoom; point counts from 0.
+## A hinge goes with the point of a body that it lies on in all frames, at any zoom: point, from 0; else body is -1.
 function data = hinge_data (drawing, i, shown, unit)
   x = drawing.hinges.x(i,:);
   y = drawing.hinges.y(i,:);
-  data = struct ("body", -1, "point", 0, "shape", "pin", ...
+  data = struct ("body", -1, "shape", "pin", ...
                  "ground", ! isfield (drawing.hinges, "ground") || drawing.hinges.ground(i));
   if (isfield (drawing.hinges, "shape"))
     data.shape = drawing.hinges.shape{i};
@@ -117,6 +117,8 @@ endfunction
 %! assert (data.hinges.body, 0); assert (data.hinges.point, 0);
 %! assert (data.bodies.stress(3,:), 255*drawing.bodies.stress(:,3).'/max (drawing.bodies.stress(:)), 0.5001);
 %! assert (numel (data.strips), 3);
+%! drawing.hinges.y += 1;  # beside the body
+%! assert (jsondecode (report_data (drawing)).hinges.body, -1);
 %!test # nothing but zeros
 %! drawing = sample_drawing (2);
 %! drawing.strips(1).values = [0 0];
