@@ -26,7 +26,7 @@ endfunction
 %!test # the axis of the frequencies goes a twentieth beyond the highest
 %! found = struct ("speeds", [0 2], "f", [1 3; 5 8], "growth", zeros (2));
 %! text = in_scratch (@(folder, scratch) settings_of (found, scratch));
-%! assert (str2double (regexp (text, '^highest = (.*)$', "tokens", "once", "lineanchors", "dotexceptnewline"){1}), 8.4);
+%! assert (regexp (text, '^highest = 8\.4$', "lineanchors") > 0);
 %!test # with something unstable, and without
 %! found = struct ("speeds", [0 2 4], "f", [1 3 4; 5 7 0], "growth", [0 0 0; 0 0 0.5]);
 %! for given = {found, setfield(found, "growth", zeros (2, 3))}

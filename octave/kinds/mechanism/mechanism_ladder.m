@@ -164,5 +164,6 @@ endfunction
 %! assert (choice.rung.bending, [0 1]); assert (choice.rung.longitudinal, [0 0]);
 %! assert (choice.error_m < 0.5e-4); assert (choice.warnings, {});
 %! ladder = mechanism_ladder (check_mechanism (scene));
-%! assert (ladder.label (struct ("bending", [1 3], "longitudinal", [2 0])), "3+2"); assert (ladder.curve ([]), "rungs");
+%! assert (ladder.label (struct ("bending", [1 3], "longitudinal", [2 0])), "3+2");
+%! assert (ladder.curve ([]), "rungs");
 %! assert (ladder.label (struct ("bending", [1 3], "longitudinal", [0 0])), "3");
