@@ -7,7 +7,7 @@
 ## @end deftypefn
 
 function table = constrained_stability ()
-  times = 1:20;
+  times = 1:12;
   drift = cummax (constraint_drift ("acceleration", struct ("step", 0.05), times, 9.81));
   power = polyfit (log (times(4:end)), log (drift(4:end)), 1)(1);
   rows = {"acceleration", "power of time by which Phi drifts", 2, power};
