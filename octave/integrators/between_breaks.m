@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{system} =} between_breaks (@var{system}, @var{interval}, @var{counted})
-## A system (see @code{integrate}) within an @var{interval} (s) between two breaks: its functions take loads from inside,
-## and what they return passes through @var{counted} (t, value).
+## A system (see @code{integrate}) within an @var{interval} (s) between two breaks: its functions take loads from
+## inside, and what they return passes through @var{counted} (t, value).
 ## @end deftypefn
 
 function system = between_breaks (system, interval, counted)

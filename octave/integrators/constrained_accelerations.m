@@ -2,8 +2,8 @@
 ## @deftypefn {} {[@var{a}, @var{lambda}, @var{at}] =} constrained_accelerations (@var{system}, @var{t}, @var{q}, @
 ##   @var{v}, @var{correction})
 ## Accelerations (n-by-k) and multipliers from M a + Phi_q' lambda = f and Phi'' = @var{correction} (constraints), by
-## default 0, in the states @var{q}, @var{v} (n-by-k) at the times @var{t} (1-by-k, s), and all that was evaluated there
-## (see @code{mechanism_system}).
+## default 0, in the states @var{q}, @var{v} (n-by-k) at the times @var{t} (1-by-k, s), and all that was evaluated
+## there (see @code{mechanism_system}).
 ## @end deftypefn
 
 function [a, lambda, at] = constrained_accelerations (system, t, q, v, correction = @(constraints) 0)

@@ -5,9 +5,9 @@
 ## and Shampine), through all @var{times} (1-by-m, s) from the state @var{y} (n-by-1).
 ##
 ## system.rate (t, y) is integrated as it is, or, where there is a system.turned, true, in the form of
-## @code{turned_form}, made anew at each of the @var{times} and at least 50 times in the duration.  @var{solver}.tolerance bounds a step's error
-## in units of the state's scale; with @var{solver}.step all steps have that length, whatever their error.  Results:
-## @var{states} (n-by-m), and the steps tried: calls by the stages a step.
+## @code{turned_form}, made anew at each of the @var{times} and at least 50 times in the duration.
+## @var{solver}.tolerance bounds a step's error in units of the state's scale; with @var{solver}.step all steps have
+## that length, whatever their error.  Results: @var{states} (n-by-m), and the steps tried: calls by the stages a step.
 ##
 ## An integration that does not reach the last time is an error that says where it stopped, and what to change.
 ## @end deftypefn

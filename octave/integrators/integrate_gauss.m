@@ -4,10 +4,10 @@
 ## (see @code{surface_rod}): order 8, symplectic in its canonical coordinates, stable for the stiffest bending and
 ## stretching.
 ##
-## Between two frames (all @var{times}, or those of @var{system}.frames) as many equal steps are taken, doubled again and again, as bring the last doubling's change of place
-## within the interval's share of @var{solver}.tolerance (m), and the energy balance within 3e-9 of the largest energy,
-## or of its floor system.energy_floor: a rod at rest has none to measure by.  Oscillations of stretching too fast for
-## that keep their energy, not their phase.
+## Between two frames (all @var{times}, or those of @var{system}.frames) as many equal steps are taken, doubled again
+## and again, as bring the last doubling's change of place within the interval's share of @var{solver}.tolerance (m),
+## and the energy balance within 3e-9 of the largest energy, or of its floor system.energy_floor: a rod at rest has
+## none to measure by.  Oscillations of stretching too fast for that keep their energy, not their phase.
 ## @end deftypefn
 
 function [states, steps] = integrate_gauss (system, times, y, solver)

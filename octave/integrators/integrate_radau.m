@@ -5,10 +5,10 @@
 ## M v' + Phi_q' lambda = f, Phi = 0, Phi' = 0: positions and velocities meet their constraints at every
 ## frame: at all @var{times}, or where @var{system}.frames (1-by-k, s) has some of them, at these.
 ##
-## Windows of many steps, or panels, are solved at once (see @code{radau_window}): as many as @code{radau_plan} says.  The panels'
-## length follows from the embedded formula of order 5, in @var{solver}.tolerance (m); a panel that is too long ends its
-## window.
-## @var{start} and @var{states} have q, v, W, D; states also lambda, a column a time of @var{times} (1-by-m, s).
+## Windows of many steps, or panels, are solved at once (see @code{radau_window}): as many as @code{radau_plan} says.
+## The panels' length follows from the embedded formula of order 5, in @var{solver}.tolerance (m); a panel that is too
+## long ends its window. @var{start} and @var{states} have q, v, W, D; states also lambda, a column a time of
+## @var{times} (1-by-m, s).
 ## @end deftypefn
 
 function [states, steps] = integrate_radau (system, times, start, solver)

@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{states}, @var{steps}] =} integrate_radau_residual (@var{system}, @var{times}, @var{y}, @
 ##   @var{solver})
-## Radau IIA of order 9 (see @code{radau_rule}) through all @var{times} (1-by-m, s) from the state @var{y} of a rod on a
-## surface (see @code{surface_rod}): steps follow from the embedded formula of order 5, in @var{solver}.tolerance (m);
-## frames are of the steps' polynomials.  Oscillations of stretching too fast for the steps die out.
+## Radau IIA of order 9 (see @code{radau_rule}) through all @var{times} (1-by-m, s) from the state @var{y} of a rod on
+## a surface (see @code{surface_rod}): steps follow from the embedded formula of order 5, in @var{solver}.tolerance
+## (m); frames are of the steps' polynomials.  Oscillations of stretching too fast for the steps die out.
 ## @end deftypefn
 
 function [states, steps] = integrate_radau_residual (system, times, y, solver)

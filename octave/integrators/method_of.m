@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{method} =} method_of (@var{system}, @var{name})
-## The row of @code{integrator_table} of that @var{name} for a @var{system} (see @code{integrate}); "auto" is system.auto.
+## The row of @code{integrator_table} of that @var{name} for a @var{system} (see @code{integrate}); "auto" is
+## system.auto.
 ## @end deftypefn
 
 function method = method_of (system, name)

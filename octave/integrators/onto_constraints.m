@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{q}, @var{v}] =} onto_constraints (@var{system}, @var{t}, @var{q}, @var{v})
-## The states @var{q}, @var{v} (n-by-m) of the times @var{t} (1-by-m, s), which are near to their constraints, moved onto
-## them: positions to 1e-11, velocities to 1e-9, a thousand at once.
+## The states @var{q}, @var{v} (n-by-m) of the times @var{t} (1-by-m, s), which are near to their constraints, moved
+## onto them: positions to 1e-11, velocities to 1e-9, a thousand at once.
 ## @end deftypefn
 
 function [q, v] = onto_constraints (system, t, q, v)

@@ -5,12 +5,12 @@
 ## @code{radau_matrix}, which says what the others are, for the real eigenvalue of the @var{rule} and for one of each
 ## pair, all panels' blocks along the diagonals.
 ##
-## A struct of stages and ties, as @code{radau_solve} takes them, ties_count, unit and compliance as @code{radau_matrix}
-## has them, by_start (1-by-stages), what of a panel's start is in the rates at its stages, and transfer
-## (2n-by-2n-by-panels), what a change of (q; v) at a panel's start does to its end.
+## A struct of stages and ties, as @code{radau_solve} takes them, ties_count, unit and compliance as
+## @code{radau_matrix} has them, by_start (1-by-stages), what of a panel's start is in the rates at its stages, and
+## transfer (2n-by-2n-by-panels), what a change of (q; v) at a panel's start does to its end.
 ##
-## What positions are off their constraints by does not hang on the forces: with q = v/g + d the matrix [M J'; J 0] gives
-## d and mu, and one of the size of the accelerations' equations the rest.
+## What positions are off their constraints by does not hang on the forces: with q = v/g + d the matrix [M J'; J 0]
+## gives d and mu, and one of the size of the accelerations' equations the rest.
 ## @end deftypefn
 
 function factors = radau_factors (rule, h, M, K, D, J, S, springs, panels)

@@ -1,12 +1,12 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{q}, @var{v}] =} radau_guess (@var{system}, @var{rule}, @var{window}, @var{y}, @var{h}, @
 ##   @var{kept}, @var{t})
-## A first guess of coordinates and rates at the stages @var{t} (1-by-k, s) of the panels that follow the @var{kept} ones of
-## a @var{window} (see @code{radau_window}) of panels of @var{h} (s), which ended with the state @var{y}.
+## A first guess of coordinates and rates at the stages @var{t} (1-by-k, s) of the panels that follow the @var{kept}
+## ones of a @var{window} (see @code{radau_window}) of panels of @var{h} (s), which ended with the state @var{y}.
 ##
-## For one panel it is the last one's polynomials.  For more, bodies move on as the straight line that is nearest to their
-## velocities in the window has it, which leaves out what rings; their deformations, which Newton's iteration finds at
-## once, stay.
+## For one panel it is the last one's polynomials.  For more, bodies move on as the straight line that is nearest to
+## their velocities in the window has it, which leaves out what rings; their deformations, which Newton's iteration
+## finds at once, stay.
 ## @end deftypefn
 
 function [q, v] = radau_guess (system, rule, window, y, h, kept, t)

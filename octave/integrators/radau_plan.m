@@ -7,8 +7,8 @@
 ## vibrate too much for one matrix each; none is much longer than one that did not converge.  Where even few panels do
 ## not converge, the next windows (as many as there is patience) have every stage's matrix.
 ##
-## @var{plan}: h (s, the panels' length), panels, most (of them), reach (s, the longest window), whole (how many windows
-## still have every stage's matrix) and patience.
+## @var{plan}: h (s, the panels' length), panels, most (of them), reach (s, the longest window), whole (how many
+## windows still have every stage's matrix) and patience.
 ## @end deftypefn
 
 function plan = radau_plan (plan, window, panels, kept)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{x} =} radau_solve (@var{factors}, @var{i}, @var{r})
 ## The @var{i}th of the matrices that @code{radau_factors} has factorised, under @var{r}: both are cells of the parts
-## that belong to q, v, lambda, mu and the springs' tensions (as @code{radau_matrix} has them), whose columns are solved
-## for.
+## that belong to q, v, lambda, mu and the springs' tensions (as @code{radau_matrix} has them), whose columns are
+## solved for.
 ## @end deftypefn
 
 function x = radau_solve (factors, i, r)

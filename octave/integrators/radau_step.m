@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{step} =} radau_step (@var{factors}, @var{residual}, @var{panels})
-## A step of Newton's iteration of @code{radau_window}: what the @var{residual}, a cell of the parts that belong to q, v,
-## lambda, mu and the springs' tensions (rows of all @var{panels}, a column a stage), changes of these, where each panel
-## starts where the one before it ends.
+## A step of Newton's iteration of @code{radau_window}: what the @var{residual}, a cell of the parts that belong to q,
+## v, lambda, mu and the springs' tensions (rows of all @var{panels}, a column a stage), changes of these, where each
+## panel starts where the one before it ends.
 ## @end deftypefn
 
 function step = radau_step (factors, residual, panels)

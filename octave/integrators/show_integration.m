@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} show_integration (@var{t}, @var{end_time}, @var{calls}, @var{clock})
-## Show (see @code{show_progress}) how far an integration to @var{end_time} (s), begun at the @var{clock} (a tic), has come at the
-## time @var{t} after so many @var{calls} (see @code{progress_text}), twice a second.
+## Show (see @code{show_progress}) how far an integration to @var{end_time} (s), begun at the @var{clock} (a tic), has
+## come at the time @var{t} after so many @var{calls} (see @code{progress_text}), twice a second.
 ## @end deftypefn
 
 function show_integration (t, end_time, calls, clock)

@@ -6,8 +6,8 @@
 ## a jump of a prescribed place or of its rate, which no force makes.
 ##
 ## Each load is looked at at 20011 equally spaced times of the run where it takes vectors, else at 4001, or, where that
-## would take more than two seconds of the processor, at 1009; and at the frames, unless they are more.  A pulse between two of
-## these times is not seen.  Kinks of a load that changes before and after are left to the steps.
+## would take more than two seconds of the processor, at 1009; and at the frames, unless they are more.  A pulse
+## between two of these times is not seen.  Kinks of a load that changes before and after are left to the steps.
 ##
 ## @var{probed}, a struct array: name of a load, looked_at (how often), breaks (those found and not stated, s).  More
 ## than 1000 jumps of a load are not taken.

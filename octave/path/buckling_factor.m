@@ -1,9 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{factor} =} buckling_factor (@var{kind}, @var{scene}, @var{t})
-## The smallest positive @var{factor} of the loads of a checked scene at rest of a @var{kind} (see @code{scene_at_rest})
-## at the time @var{t} (s) at which its tangent stiffness, with its constraints, is singular; Inf where there is none.
-## The stiffness is taken to be linear in the loads ("linearised buckling", as Cook et al. 2002, section 18.2, have it),
-## by its change from no load to a thousandth of them, which is exact where the rod moves little before it buckles.
+## The smallest positive @var{factor} of the loads of a checked scene at rest of a @var{kind} (see
+## @code{scene_at_rest}) at the time @var{t} (s) at which its tangent stiffness, with its constraints, is singular; Inf
+## where there is none. The stiffness is taken to be linear in the loads ("linearised buckling", as Cook et al. 2002,
+## section 18.2, have it), by its change from no load to a thousandth of them, which is exact where the rod moves
+## little before it buckles.
 ## @end deftypefn
 
 function factor = buckling_factor (kind, scene, t)

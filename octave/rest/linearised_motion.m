@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{linear} =} linearised_motion (@var{balance}, @var{t}, @var{q}, @var{v})
-## The equations of a @var{balance} (see @code{mechanism_at_rest}) linear about the state @var{q}, @var{v} (n-by-1) of a
-## motion at the time @var{t} (s), their coefficients frozen there: a struct as of @code{linearised}.
+## The equations of a @var{balance} (see @code{mechanism_at_rest}) linear about the state @var{q}, @var{v} (n-by-1) of
+## a motion at the time @var{t} (s), their coefficients frozen there: a struct as of @code{linearised}.
 ##
 ## What is near the motion is off it by Z y, Z (n-by-p) what the constraints leave free, which moves with them: of all
 ## such Z the one that turns least, Phi_q Z = 0 and Z' Z_dot = 0.  Then, with K and C minus the derivatives by q and v

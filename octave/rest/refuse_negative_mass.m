@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} refuse_negative_mass (@var{linear}, @var{where})
 ## An error that says @var{where} (a text, "at t = 1 s" say) the mass matrix of @var{linear} (see @code{linearised}) is
-## not positive: foreshortening of the second order takes from it what bends much, and of many modes more than there is.
+## not positive: foreshortening of the second order takes from it what bends much, and of many modes more than there
+## is.
 ## @end deftypefn
 
 function refuse_negative_mass (linear, where)

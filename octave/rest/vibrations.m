@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{modes} =} vibrations (@var{linear})
 ## The natural vibrations of linear equations M y'' + C y' + K y = 0 (see @code{linearised}), from slow to fast: a
 ## struct of omega (rad/s, of the undamped ones; 1-by-p), damping (the ratio; negative where it grows), rate (1/s: with
-## which what is unstable grows, else 0), shape (p-by-p, real, of unit kinetic energy) and vector (p-by-p, likewise, but
-## complex where parts of it do not move in phase).
+## which what is unstable grows, else 0), shape (p-by-p, real, of unit kinetic energy) and vector (p-by-p, likewise,
+## but complex where parts of it do not move in phase).
 ##
 ## Without damping they are those of the symmetric problem, whose slowest have full relative accuracy (its inverse is
 ## solved); a follower load or damping takes the eigenvalues of the first order system.

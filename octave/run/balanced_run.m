@@ -4,8 +4,8 @@
 ## @code{choose}), which is taken for the solver "auto", and for that by which it is where it keeps its energy balance.
 ## "auto" is asked for less, or for another method (tighter of a kind), six times at most, until the balance is within
 ## 1e-7 of what changes (see @code{energy_error}), or until a second and later attempt does not help: what no point
-## follows, the work and what dissipates, may be off by more than the points, and implicit methods damp what their steps
-## pass over, small as its way may be.
+## follows, the work and what dissipates, may be off by more than the points, and implicit methods damp what their
+## steps pass over, small as its way may be.
 ## @end deftypefn
 
 function run = balanced_run (kind, scene, model, choice)

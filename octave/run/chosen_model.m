@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{model}, @var{choice}] =} chosen_model (@var{kind}, @var{scene})
 ## The model of a checked scene of a @var{kind} (see @code{kind_of}): that which the scene states, or the smallest that
-## serves it, which @code{choose} finds.  @var{choice} is what that returns; where nothing was chosen its trial is empty
-## (see @code{given_choice}).
+## serves it, which @code{choose} finds.  @var{choice} is what that returns; where nothing was chosen its trial is
+## empty (see @code{given_choice}).
 ## @end deftypefn
 
 function [model, choice] = chosen_model (kind, scene)

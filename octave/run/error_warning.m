@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{warnings} =} error_warning (@var{tolerance}, @var{estimate}, @var{instead})
-## A cellstr: empty, or a warning that the estimated error (see @code{estimate_error}) is beyond the @var{tolerance} (m),
-## with what the models drop, where that is the cause, and what to take @var{instead} (a text).
+## A cellstr: empty, or a warning that the estimated error (see @code{estimate_error}) is beyond the @var{tolerance}
+## (m), with what the models drop, where that is the cause, and what to take @var{instead} (a text).
 ## @end deftypefn
 
 function warnings = error_warning (tolerance, estimate, instead)

@@ -11,8 +11,8 @@
 ## @item x, y, z
 ## the points that tell two motions apart (points-by-frames, m; z where they leave the plane; see @code{distance})
 ## @item between
-## the frames' times and some between them, t (1-by-m, s), and the states then, where they are to be @var{dense}, or cost the
-## method next to nothing
+## the frames' times and some between them, t (1-by-m, s), and the states then, where they are to be @var{dense}, or
+## cost the method next to nothing
 ## @end table
 ##
 ## A run @var{before} leads this one (see led_by of a kind). Where it is of the same model the energies are known: work

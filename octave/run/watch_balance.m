@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} watch_balance (@var{history}, @var{system}, @var{count})
-## Stop where a run's energy balance left its bound, a twentieth of what changes (see @code{energy_error}), or its states
-## are no numbers: an integration can be wrong without an error of its own.  @var{count} comes from @code{integrate}; a
-## rod that stays within its tolerance of where it began (@var{count}.still) has no balance to lose.
+## Stop where a run's energy balance left its bound, a twentieth of what changes (see @code{energy_error}), or its
+## states are no numbers: an integration can be wrong without an error of its own.  @var{count} comes from
+## @code{integrate}; a rod that stays within its tolerance of where it began (@var{count}.still) has no balance to
+## lose.
 ## @end deftypefn
 
 function watch_balance (history, system, count)

@@ -20,7 +20,7 @@ function drawing = with_dense_curves (drawing, kind, scene, run)
       if (! isfield (drawing, "notes"))
         drawing.notes = {};
       endif
-      drawing.notes{end+1} = sprintf ("the curves of history.svg miss what is between frames: %s", strtrim (err.message));
+      drawing.notes{end+1} = ["the curves of history.svg miss what is between frames: " strtrim(err.message)];
     end_try_catch
   endif
   drawing.spectrum = kind.spectrum (scene, run);

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} write_history (@var{names}, @var{table}, @var{file})
-## A history as CSV: a header of @var{names} with units (a cellstr), and the @var{table} (names-by-times), a line a time
-## with 17 significant digits.
+## A history as CSV: a header of @var{names} with units (a cellstr), and the @var{table} (names-by-times), a line a
+## time with 17 significant digits.
 ## @end deftypefn
 
 function write_history (names, table, file)

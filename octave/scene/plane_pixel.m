@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{metres} =} plane_pixel (@var{scene}, @var{length})
-## A drawn pixel of a frame that shows 2.5 times this @var{length} (m), that of the longest rod, in 720 pixels of 1280 by
-## 720, at the scene's zoom.
+## A drawn pixel of a frame that shows 2.5 times this @var{length} (m), that of the longest rod, in 720 pixels of 1280
+## by 720, at the scene's zoom.
 ## @end deftypefn
 
 function metres = plane_pixel (scene, length)

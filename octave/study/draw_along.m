@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{job} =} draw_along (@var{along}, @var{bodies}, @var{title}, @var{scratch})
 ## What the sections of rods bear (see @code{section_columns}) along their lengths, as along.svg and along.png beside
-## the folder @var{scratch}, which takes the data: a panel a column, a curve each of the @var{bodies} (names).  They are
-## there when @var{job} has ended (see @code{finish_tool}).
+## the folder @var{scratch}, which takes the data: a panel a column, a curve each of the @var{bodies} (names).  They
+## are there when @var{job} has ended (see @code{finish_tool}).
 ## @end deftypefn
 
 function job = draw_along (along, bodies, title, scratch)

@@ -4,8 +4,8 @@
 ## (both may be empty), chart.svg and chart.png beside the folder @var{scratch}, which takes the data.  They are there
 ## when @var{job} has ended (see @code{finish_tool}).  The second panel has the calls, or the drift of constraints.
 ##
-## @var{notes} is a struct of title, tolerance (m), auto (the method that "auto" takes) and floor (m: the reference's own
-## error, NaN where it is not known).
+## @var{notes} is a struct of title, tolerance (m), auto (the method that "auto" takes) and floor (m: the reference's
+## own error, NaN where it is not known).
 ## @end deftypefn
 
 function job = draw_chart (table, ladder, cost, notes, scratch)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} film_mode (@var{output}, @var{scene}, @var{found}, @var{mode}, @var{title})
-## The vibration number @var{mode} about the equilibrium that was @var{found} (see @code{at_rest}) of a @var{scene}, one
-## period slowed down to two seconds: mode_N.mp4 and mode_N.gif in the folder of @var{output} (see @code{take_options}).
-## A film that cannot be made is a warning.
+## The vibration number @var{mode} about the equilibrium that was @var{found} (see @code{at_rest}) of a @var{scene},
+## one period slowed down to two seconds: mode_N.mp4 and mode_N.gif in the folder of @var{output} (see
+## @code{take_options}). A film that cannot be made is a warning.
 ## @end deftypefn
 
 function film_mode (output, scene, found, mode, title)

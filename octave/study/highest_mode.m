@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{mode} =} highest_mode (@var{system})
 ## The fastest oscillation of a system of any kind (see @code{integrate}) about its start, as its own rates have it: a
-## struct of omega (rad/s), shape, what it is of the state (n-by-1, a micrometre of the largest coordinate), and amplitude
-## (states, from), how much of it is in the difference of two states.  The Jacobian matrix comes from differences.
+## struct of omega (rad/s), shape, what it is of the state (n-by-1, a micrometre of the largest coordinate), and
+## amplitude (states, from), how much of it is in the difference of two states.  The Jacobian matrix comes from
+## differences.
 ## @end deftypefn
 
 function mode = highest_mode (system)

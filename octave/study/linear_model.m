@@ -9,8 +9,8 @@
 ## inputs (cellstr) are the components of forces and moments; of prescribed places and angles (driven) it is their
 ## acceleration (per s^2), and they and their rates are the last states, after y and y'. outputs (cellstr) are columns
 ## of history.csv, measured from their values at rest (rest): the option "outputs" has their names without units, by
-## default all of places and angles, "tip_*", "mid_*", "psi*", and reactions.  @var{scene} and @var{output} are those of
-## @code{study_scene}.
+## default all of places and angles, "tip_*", "mid_*", "psi*", and reactions.  @var{scene} and @var{output} are those
+## of @code{study_scene}.
 ##
 ## @example
 ## model = linear_model ("two_link_arm"); # sys = ss (model.A, model.B, model.C_out, model.D);

@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{rows} =} load_limits (@var{which}, @var{options}, @var{left})
-## So many times the loads of the scene @var{which}, with the @var{options} (see @code{study_scene}), take its stiffness
-## at rest, at the time when they are largest: a row for the table of @code{scene_stability}, predicted by
-## @code{buckling_factor} and, where that is below 3, measured along the path of its equilibria, while there are seconds
-## @var{left} ().  No row where nothing loads the scene; where it has what no scene at rest takes (see
+## So many times the loads of the scene @var{which}, with the @var{options} (see @code{study_scene}), take its
+## stiffness at rest, at the time when they are largest: a row for the table of @code{scene_stability}, predicted by
+## @code{buckling_factor} and, where that is below 3, measured along the path of its equilibria, while there are
+## seconds @var{left} ().  No row where nothing loads the scene; where it has what no scene at rest takes (see
 ## @code{scene_at_rest}), or does not come to rest, that is said.
 ## @end deftypefn
 

@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{rows} =} model_limits (@var{kind}, @var{scene}, @var{model}, @var{run}, @var{left})
-## How near a @var{run} of a checked scene by a @var{model} comes to where the model ends (see @code{kind_of}): rows for
-## the table of @code{scene_stability}, of method ("model"), what (with the limit), predicted (NaN) and measured (what
-## the run reaches).  Without a run ([]) it is made in a third of the seconds that are @var{left} (); what takes longer
-## leaves no rows, which is said.
+## How near a @var{run} of a checked scene by a @var{model} comes to where the model ends (see @code{kind_of}): rows
+## for the table of @code{scene_stability}, of method ("model"), what (with the limit), predicted (NaN) and measured
+## (what the run reaches).  Without a run ([]) it is made in a third of the seconds that are @var{left} (); what takes
+## longer leaves no rows, which is said.
 ## @end deftypefn
 
 function rows = model_limits (kind, scene, model, run, left)

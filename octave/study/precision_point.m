@@ -7,8 +7,8 @@
 ## and calls go on as they did at its end, and an error above that of the reference itself grows as the time
 ## does.  @var{expected} is a guess of the seconds that the whole takes (NaN: none, then parts that grow tell).
 ##
-## @var{row} is a struct of method, parameter, error_m, drift (of constraints, m or rad; NaN without), seconds (a median of
-## three where they are short), calls, part (of the duration that was run, 1: the whole) and failure.
+## @var{row} is a struct of method, parameter, error_m, drift (of constraints, m or rad; NaN without), seconds (a
+## median of three where they are short), calls, part (of the duration that was run, 1: the whole) and failure.
 ## @end deftypefn
 
 function row = precision_point (kind, scene, model, method, parameter, reference, limit, expected = NaN)

@@ -4,9 +4,9 @@
 ## of kind.reference (see @code{kind_of}) at tolerances that fall from 1e-4 m by hundreds to the one that stands there,
 ## as far as so many @var{seconds} allow.
 ##
-## @var{run} has the points x, y (and z) at the @var{times} of the frames and some before the fourth, so that what is slow can be
-## compared early; the method's @var{name}, the @var{tolerance} (m) and @var{off} (m), what the tolerance before
-## differs from it by.
+## @var{run} has the points x, y (and z) at the @var{times} of the frames and some before the fourth, so that what is
+## slow can be compared early; the method's @var{name}, the @var{tolerance} (m) and @var{off} (m), what the tolerance
+## before differs from it by.
 ## @end deftypefn
 
 function run = reference_run (kind, scene, model, seconds)

@@ -5,8 +5,8 @@
 ## to 10 times it (or it is below a twentieth of the tolerance); the smaller models of one straight rod must miss the
 ## tolerance.  Prints a line a scene and a closing count; scenes that state their model are left out.
 ##
-## Leaves choices.csv, choices.svg and choices.png in the @var{folder} (none by default).  @var{table} is a struct array
-## of name, kind, error, estimate, smaller (in tolerances), good and seconds (of the run and of the richer one).
+## Leaves choices.csv, choices.svg and choices.png in the @var{folder} (none by default).  @var{table} is a struct
+## array of name, kind, error, estimate, smaller (in tolerances), good and seconds (of the run and of the richer one).
 ## @end deftypefn
 
 function table = verify_choices (scenes, folder = "")

@@ -2,10 +2,10 @@
 ## @deftypefn {} {@var{command} =} engine_command (@var{engine}, @var{jobs}, @var{settings}, @var{folder}, @
 ##   @var{names}, @var{commands}, @var{gather})
 ## What distributes the @var{commands} (cellstr) among so many @var{jobs} at a time, within the limits of load, memory
-## and time and on the hosts of the @var{settings} (see @code{sweep_settings}): a shell command for the @var{folder}, in
-## which their list is written, each under its name of @var{names}.  The @var{engine} is "parallel", GNU parallel, with
-## the list of what ended when and how in joblog; "make", which is always there; or "slurm", an array of at most 1000
-## tasks in Slurm's queue (for which the user's SBATCH_ variables hold: partition, time, memory), and the command
+## and time and on the hosts of the @var{settings} (see @code{sweep_settings}): a shell command for the @var{folder},
+## in which their list is written, each under its name of @var{names}.  The @var{engine} is "parallel", GNU parallel,
+## with the list of what ended when and how in joblog; "make", which is always there; or "slurm", an array of at most
+## 1000 tasks in Slurm's queue (for which the user's SBATCH_ variables hold: partition, time, memory), and the command
 ## @var{gather} behind them all, in a job that depends on theirs.  None stops at a point that fails.  A task that Slurm
 ## puts back into the queue begins at its first point that has no row.
 ## @end deftypefn

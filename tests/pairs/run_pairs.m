@@ -2,7 +2,8 @@
 ## @deftypefn {} {@var{faults} =} run_pairs (@var{kinds}, @var{seed})
 ## All pairs of fields and their values, for the @var{kinds} "rod", "mechanism" and "surface" (default: all): prints
 ## which values do not go together and why, `not ok' where that is no reason of mechanics, and closes each kind with
-## its counts.  @var{faults} is the number of sets of values that end in an error of Octave's own, or in something wrong.
+## its counts.  @var{faults} is the number of sets of values that end in an error of Octave's own, or in something
+## wrong.
 ## @end deftypefn
 
 function faults = run_pairs (kinds = {"rod", "mechanism", "surface"}, seed = 1)

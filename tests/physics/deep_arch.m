@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{path} =} deep_arch (@var{modes})
 ## The circular arch of DaDeppo and Schmidt (J. Appl. Mech. 42, 1975) as a path (see @code{load_path}): of the radius
-## 1 m and E I = 1 N m^2, over 215 degrees, clamped at its left end, hinged at the right one, under a force downwards at
-## its apex, the factor (N).
+## 1 m and E I = 1 N m^2, over 215 degrees, clamped at its left end, hinged at the right one, under a force downwards
+## at its apex, the factor (N).
 ##
 ## It is the exact rod on a plane, with so many @var{modes} (polynomials of each coordinate) and E A R^2/EI = 1e4. This
 ## rod is straight when undeformed; its end moment E I/R at the hinge makes it a circle, and does the same work as a

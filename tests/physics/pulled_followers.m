@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{history} =} pulled_followers (@var{scene}, @var{bending})
-## The motion of a @var{scene} of one rod with so many @var{bending} modes, foreshortening and longitudinal modes without
-## inertia (see @code{measure}), with the stretch of its tip against the rod's frame as stretch (m) added.
+## The motion of a @var{scene} of one rod with so many @var{bending} modes, foreshortening and longitudinal modes
+## without inertia (see @code{measure}), with the stretch of its tip against the rod's frame as stretch (m) added.
 ## @end deftypefn
 
 function history = pulled_followers (scene, bending)

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{system} =} driven_oscillators ()
-## A system to test exponential integrators with: x'' + w^2 x = cos (t) for w = 0, 3 and 1000, from rest, and sin (t) by
-## its rate.  The exact x is 1 - cos (t) for w = 0, else (cos (t) - cos (w t))/(w^2 - 1).
+## A system to test exponential integrators with: x'' + w^2 x = cos (t) for w = 0, 3 and 1000, from rest, and sin (t)
+## by its rate.  The exact x is 1 - cos (t) for w = 0, else (cos (t) - cos (w t))/(w^2 - 1).
 ## @end deftypefn
 
 function system = driven_oscillators ()

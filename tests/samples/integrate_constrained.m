@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{states}, @var{count}] =} integrate_constrained (@var{system}, @var{times}, @var{start}, @
 ##   @var{solver})
-## What @code{integrate} makes of a mechanism's @var{system} from the state @var{start}, a struct of q, v, W and D; states
-## have these names, too (see @code{named_rows}).
+## What @code{integrate} makes of a mechanism's @var{system} from the state @var{start}, a struct of q, v, W and D;
+## states have these names, too (see @code{named_rows}).
 ## @end deftypefn
 
 function [states, count] = integrate_constrained (system, times, start, solver)

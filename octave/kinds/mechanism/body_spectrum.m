@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{spectrum} =} body_spectrum (@var{scene}, @var{run})
-## The spectra of the tip (see @code{spectrum_of_tip}) of that body of a mechanism's @var{run} whose coordinates are the
-## largest, from the states between its frames (see @code{run_model}), without predicted frequencies: they are of the
-## mechanism.  Modes of the rod in its frame are left out where they are too fast.  Empty without such states, or where
-## all bodies are rigid.
+## The spectra of the tip (see @code{spectrum_of_tip}) of that body of a mechanism's @var{run} whose coordinates are
+## the largest, from the states between its frames (see @code{run_model}), without predicted frequencies: they are of
+## the mechanism.  Modes of the rod in its frame are left out where they are too fast.  Empty without such states, or
+## where all bodies are rigid.
 ## @end deftypefn
 
 function spectrum = body_spectrum (scene, run)
@@ -27,8 +27,8 @@ function spectrum = body_spectrum (scene, run)
 endfunction
 
 %!test # a hinged rod that is bent and let go rings at 15.418 sqrt (EI/rhoA)/l^2
-%! scene.bodies = {struct("rod", struct ("length", 1, "EA", 1e6, "EI", 100, "rhoA", 1), "initial", struct ("V2", 1e-3), ...
-%!                        "model", struct ("modes", [0 4]))};
+%! scene.bodies = {struct("rod", struct ("length", 1, "EA", 1e6, "EI", 100, "rhoA", 1), ...
+%!                        "initial", struct ("V2", 1e-3), "model", struct ("modes", [0 4]))};
 %! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
 %! [scene.duration, scene.gravity, scene.solver.tolerance] = deal (0.5, 0, 1e-6);
 %! result = driver (scene, "output", "");

@@ -4,9 +4,9 @@
 ## @code{dropped_error} of which only the bound is known.  It is where the forces of what is dropped (see
 ## @code{dropped_forces}; with weight and rotation, without accelerations) and what the tangents at its joints are
 ## turned further (see @code{rod_dropped_angle}) hold the mechanism by its joints, springs and stiffness; how much
-## nearer points come to the O of their rod; and a quarter of all that for each radian of the phase of what bends, which
-## runs ahead by it.  What moves freely resists by its inertia: as far as it comes in half of the duration, or within a
-## period of the rods' rotation.
+## nearer points come to the O of their rod; and a quarter of all that for each radian of the phase of what bends,
+## which runs ahead by it.  What moves freely resists by its inertia: as far as it comes in half of the duration, or
+## within a period of the rods' rotation.
 ## @end deftypefn
 
 function dropped = dropped_of_bodies (scene, mechanism, history)

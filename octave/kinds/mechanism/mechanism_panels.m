@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{panels} =} mechanism_panels (@var{scene}, @var{mechanism}, @var{history}, @var{names})
 ## Panels (see @code{new_panel}) of a mechanism's history, those with the @var{names}: "angles", "tips",
-## "reactions" (sizes of the joints' forces), "energies" (with their balance); all by default.  Of more than six curves there are
-## the first and the last three.
+## "reactions" (sizes of the joints' forces), "energies" (with their balance); all by default.  Of more than six curves
+## there are the first and the last three.
 ## @end deftypefn
 
 function panels = mechanism_panels (scene, mechanism, history, names = {"angles", "tips", "reactions", "energies"})

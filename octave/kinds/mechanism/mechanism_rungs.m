@@ -4,8 +4,8 @@
 ## of its @var{levels}: 0 is rigid, k has k bending modes; and so many @var{longitudinal} ones (see
 ## @code{longitudinal_modes}).
 ##
-## Only "auto" takes corrections of the sines (see @code{base_functions}): at ends where a joint may bear a moment, and,
-## beside longitudinal modes, elongations where a joint may bear a force or a tip_mass hangs.
+## Only "auto" takes corrections of the sines (see @code{base_functions}): at ends where a joint may bear a moment,
+## and, beside longitudinal modes, elongations where a joint may bear a force or a tip_mass hangs.
 ## @end deftypefn
 
 function rungs = mechanism_rungs (scene, levels, longitudinal = longitudinal_modes (levels))

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} scene_at_rest (@var{given})
-## A scene as the studies of equilibrium take it, not checked yet: one rod is one body (see @code{scene_of_bodies}), and
-## bodies have neither velocities nor modal amplitudes at the start.
+## A scene as the studies of equilibrium take it, not checked yet: one rod is one body (see @code{scene_of_bodies}),
+## and bodies have neither velocities nor modal amplitudes at the start.
 ## @end deftypefn
 
 function scene = scene_at_rest (given)

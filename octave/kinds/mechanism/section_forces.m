@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{along} =} section_forces (@var{system}, @var{scene}, @var{t}, @var{q}, @var{lambda})
 ## Forces and moments in the sections of the rods of a checked scene's mechanism (see @code{mechanism_system}) at rest
-## at the time @var{t} (s) with coordinates @var{q} (n-by-1) and multipliers @var{lambda}: a cell array, a body each, of
-## a struct of columns (41-by-1): N and Q (N; along the rod and to the left of it), M (N m) and stress (Pa; NaN where it
-## is not known, see @code{section_stress}).
+## at the time @var{t} (s) with coordinates @var{q} (n-by-1) and multipliers @var{lambda}: a cell array, a body each,
+## of a struct of columns (41-by-1): N and Q (N; along the rod and to the left of it), M (N m) and stress (Pa; NaN
+## where it is not known, see @code{section_stress}).
 ##
 ## They are the resultants of weight, loads and joints beyond the section of the deformed rod, which these do to what
 ## lies before it: by equilibrium, whatever functions the rod has.  Where a force acts they are those just beyond it,

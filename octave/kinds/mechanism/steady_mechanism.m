@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{turning} =} steady_mechanism (@var{scene})
 ## The bodies of a checked @var{scene} in steady rotation about the point that holds them (see @code{rotation_centre}),
 ## all as one, without weight and loads, as @code{campbell} takes them: a struct of speed (rad/s, the largest that a
-## joint "angle" of the ground prescribes, NaN without one) and about (speed, q), as @code{about_rotation}.  Bodies that
-## do not state their modes have 8 base functions of each sort together, at least 3 each.
+## joint "angle" of the ground prescribes, NaN without one) and about (speed, q), as @code{about_rotation}.  Bodies
+## that do not state their modes have 8 base functions of each sort together, at least 3 each.
 ## @end deftypefn
 
 function turning = steady_mechanism (scene)

@@ -6,8 +6,8 @@
 ## the model has them (p-by-m, m).
 ##
 ## @var{motion} has q, q_dot, q_ddot (n-by-m), phi, phi_dot, phi_ddot, x_ddot, y_ddot (1-by-m: of the frame's origin)
-## and followers (N1-by-m: amplitudes of longitudinal modes without inertia, or empty); @var{loads} has gravity, moment (at
-## O), force_x and force_y (1-by-m).
+## and followers (N1-by-m: amplitudes of longitudinal modes without inertia, or empty); @var{loads} has gravity, moment
+## (at O), force_x and force_y (1-by-m).
 ## @end deftypefn
 
 function [force_q, force_phi, w4] = dropped_forces (points, motion, loads)

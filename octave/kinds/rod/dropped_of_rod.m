@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{dropped} =} dropped_of_rod (@var{scene}, @var{run}, @var{reference})
-## What all models of a straight rod drop (see @code{dropped_error}) in the motion of a @var{run}; of a curved one it is
-## not known: empty.
+## What all models of a straight rod drop (see @code{dropped_error}) in the motion of a @var{run}; of a curved one it
+## is not known: empty.
 ##
 ## A rod that rings along its length rings its bending by what is dropped: by modes that are as slow, chosen or not.
 ## They are those of a richer @var{reference}.

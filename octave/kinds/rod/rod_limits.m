@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{limits} =} rod_limits (@var{scene}, @var{model}, @var{history}, @var{steepest})
 ## What the @var{model} of one rod holds for, and how much of it a run's @var{history} (V and phi_dot) takes: a struct
-## array of what, limit and reached.  It is the slope v2,1, small below the @var{steepest} (0.2), the strain v1,1 and, of a
-## hinged rod without foreshortening, the rate of rotation that takes its stiffness: the first frequency of the simply
-## supported rod.  @var{scene} has its rod.
+## array of what, limit and reached.  It is the slope v2,1, small below the @var{steepest} (0.2), the strain v1,1 and,
+## of a hinged rod without foreshortening, the rate of rotation that takes its stiffness: the first frequency of the
+## simply supported rod.  @var{scene} has its rod.
 ## @end deftypefn
 
 function limits = rod_limits (scene, model, history, steepest = 0.2)

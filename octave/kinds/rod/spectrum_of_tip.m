@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{spectrum} =} spectrum_of_tip (@var{model}, @var{motion}, @var{step}, @var{modes}, @
 ##   @var{frequencies}, @var{mass})
-## The amplitude spectra of the tip's deflection along and across the tangent at the start of a rod of a @var{model}, in
-## a @var{motion} (q, n-by-m, and phi, 1-by-m) that is sampled every @var{step} (s): a struct of @code{label},
+## The amplitude spectra of the tip's deflection along and across the tangent at the start of a rod of a @var{model},
+## in a @var{motion} (q, n-by-m, and phi, 1-by-m) that is sampled every @var{step} (s): a struct of @code{label},
 ## @code{unit}, @code{names}, @code{frequency} (1-by-K, Hz), @code{values} (2-by-K, m), @code{predicted} (1-by-n, Hz:
 ## those of the @var{frequencies}, 1-by-n, Hz, that are seen), and @code{note}, a text that says how it was sampled.
 ##

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{warnings} =} validity_warnings (@var{scene}, @var{model}, @var{history})
 ## Where a run leaves what its model holds for: a cellstr of warnings with numbers and remedies.  Looked at are the
-## slope v2,1 and the strain (see @code{rod_limits}), the rate of rotation against the first frequency of the simply supported rod, the times
-## of the loads' changes against the highest mode, and the drawn slope at the scene's zoom.
+## slope v2,1 and the strain (see @code{rod_limits}), the rate of rotation against the first frequency of the simply
+## supported rod, the times of the loads' changes against the highest mode, and the drawn slope at the scene's zoom.
 ## @end deftypefn
 
 function warnings = validity_warnings (scene, model, history)

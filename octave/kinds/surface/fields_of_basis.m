@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{fields} =} fields_of_basis (@var{base}, @var{z}, @var{z_dot}, @var{z_ddot})
-## What the surface's generated functions take of the rod's place: the chart's coordinates alpha1 and alpha2, their slopes
-## _1, second derivatives _11, rates _dot, second rates _ddot, and the slopes of the rates and of the second rates, where
-## the @var{base} (see @code{surface_basis}) has its stations: a row a station, a column a time.
+## What the surface's generated functions take of the rod's place: the chart's coordinates alpha1 and alpha2, their
+## slopes _1, second derivatives _11, rates _dot, second rates _ddot, and the slopes of the rates and of the second
+## rates, where the @var{base} (see @code{surface_basis}) has its stations: a row a station, a column a time.
 ## @end deftypefn
 
 function fields = fields_of_basis (b, z, z_dot, z_ddot)

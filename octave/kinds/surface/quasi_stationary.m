@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{z} =} quasi_stationary (@var{system}, @var{z}, @var{z_dot}, @var{metres})
 ## Coordinates near @var{z} (n-by-1) of a rod on a surface (see @code{surface_rod}) at the start, where the modes that
-## would vibrate by less than so many @var{metres}, all of them together, are where they rest under the loads: no step has
-## to follow them, and no method damps them.  Those of periods longer than the duration stay as they are.
+## would vibrate by less than so many @var{metres}, all of them together, are where they rest under the loads: no step
+## has to follow them, and no method damps them.  Those of periods longer than the duration stay as they are.
 ## @end deftypefn
 
 function z = quasi_stationary (system, z, z_dot, metres)

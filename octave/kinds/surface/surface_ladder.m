@@ -20,8 +20,8 @@ function ladder = surface_ladder (scene)
   ladder.name = @(rung) sprintf ("%d + %d polynomials", rung);
 endfunction
 
-## Ten times what the centreline without its last polynomials is off by: it is 1 to 70 times on the shipped scenes, fewer
-## polynomials lock.
+## Ten times what the centreline without its last polynomials is off by: it is 1 to 70 times on the shipped scenes,
+## fewer polynomials lock.
 function metres = left_out_of (reference, rung)
   history = reference.history;
   model = reference.model.numbers;

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{html} =} model_text (@var{summary})
-## What a report says of the model: its name, why it is that, and the table of what was tried (see @code{choose}), where
-## the @var{summary} (see @code{summarise}) has these fields.
+## What a report says of the model: its name, why it is that, and the table of what was tried (see @code{choose}),
+## where the @var{summary} (see @code{summarise}) has these fields.
 ## @end deftypefn
 
 function html = model_text (summary)
