@@ -73,6 +73,11 @@ endfunction
 %! run = run_model (rod_kind (), scene, model, struct ("name", "ode45", "tolerance", 1e-6));
 %! assert (size (run.x), [21 91]); assert (run.count.method, "ode45");
 %! assert (hypot (run.x(end,:), run.y(end,:)), ones (1, 91), 1e-12);
+%! assert (isfield (run, "between"), false);
+%! dense = run_model (rod_kind (), scene, model, struct ("name", "waveform", "tolerance", 1e-6), [], true).between;
+%! assert (columns (dense.states), numel (dense.t)); assert (numel (dense.t), 4096, 100);
+%! each = (numel (dense.t) - 1)/90;
+%! assert (dense.t(1:each:end), run.history.t, 1e-15); assert (dense.states(1,1:each:end), run.history.phi, 1e-5);
 %!test # a mechanism keeps its balance, with springs, dampers and a force
 %! [system, ~, scene] = sample_mechanism ([0 1]);
 %! scene.solver.tolerance = 1e-6; scene.frames_per_second = 20;
