@@ -12,7 +12,8 @@ function table = constrained_stability ()
   power = polyfit (log (times(4:end)), log (drift(4:end)), 1)(1);
   rows = {"acceleration", "power of time by which Phi drifts", 2, power};
   limit = real_limit ("ode45");
-  stable = @(hr) constraint_drift ("baumgarte", struct ("step", 0.01, "baumgarte", hr/0.01), 2, 0.01) < 1e-2;
+  ## a root that is double: what is off grows as the number of steps at the limit
+  stable = @(hr) constraint_drift ("baumgarte", struct ("step", 0.01, "baumgarte", hr/0.01), 1, 0.01, 1e-6) < 1e-4;
   rows(end+1,:) = {"baumgarte", "limit of step times rate, ode45", limit, measured_limit(stable, limit)};
   for h = 10.^(-2:-2:-6)
     [plain, scaled] = newton_condition (h);
@@ -22,14 +23,15 @@ function table = constrained_stability ()
   table = cell2struct (rows, {"method", "what", "predicted", "measured"}, 2).';
 endfunction
 
-## a rod that swings about a pin at its tip
-function drift = constraint_drift (method, solver, times, gravity)
+## a rod that swings about a pin at its tip, which it is off by so much at the start (m)
+function drift = constraint_drift (method, solver, times, gravity, off = 0)
   scene.bodies = {struct("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1), "model", struct ("modes", [0 0]))};
   scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 1)};
   [scene.duration, scene.gravity] = deal (times(end), gravity);
   scene = check_mechanism (scene);
   system = mechanism_system (scene, build_mechanism (scene, mechanism_rungs (scene, 0)));
   start = assemble_mechanism (scene, system.mechanism, system);
+  start.q(end) += off;
   solver.name = method;
   solver.tolerance = 1;
   drift = Inf (size (times));
