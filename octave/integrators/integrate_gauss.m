@@ -19,10 +19,7 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
   n = system.n;
   largest = system.energy_floor;
   tangents = [];
-  frames = times;
-  if (isfield (system, "frames"))
-    frames = times(ismember (times, [times([1, end]), system.frames]));
-  endif
+  frames = times(are_frames (system, times));
   for k = 2:numel (frames)
     interval = frames([k-1, k]);
     inside = times > interval(1) & times <= interval(2);

@@ -60,10 +60,7 @@ function [states, steps] = integrate_radau (system, times, start, solver)
                         "a larger tolerance, or a look at the mechanism there");
     endif
   endwhile
-  met = true (size (times));
-  if (isfield (system, "frames"))
-    met = ismember (times, [system.frames, times(end)]);
-  endif
+  met = are_frames (system, times);
   [states.q(:,met), states.v(:,met)] = onto_constraints (system, times(met), states.q(:,met), states.v(:,met));
 endfunction
 

@@ -30,8 +30,9 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
     if (growth >= 0.85)
       power = system.power (t + h*method.points.', stages{:});
       inside = times > t & times <= t + h*(1 + 1e-12);
-      states(:,inside) = within_step (method.points, h, y, a, power, min (1, (times(inside) - t)/h));
-      y = within_step (method.points, h, y, a, power, 1);
+      reached = within_step (method.points, h, y, a, power, [min(1, (times(inside) - t)/h), 1]);
+      states(:,inside) = reached(:,1:end-1);
+      y = reached(:,end);
       t += h;
       system.refuse_singular (y(1:n), sprintf ("at t = %.4g s", t));
       if (to_go == 1)

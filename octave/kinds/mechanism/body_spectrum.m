@@ -15,12 +15,10 @@ function spectrum = body_spectrum (scene, run)
   endif
   model = run.model.models{k};
   q = run.between.states(index_of (run.model, k)(1:end-3),:);
-  M = model.arrays.mass_matrix;
-  K = model.arrays.stiffness_matrix;
-  [modes, squares] = eig ((K + K.')/2, (M + M.')/2);
-  frequencies = sqrt (max (0, diag (squares))).'/(2*pi);
+  mass = model.arrays.mass_matrix;
+  [modes, squares] = free_modes (model.arrays.stiffness_matrix, mass);
   spectrum = spectrum_of_tip (model, struct ("q", q, "phi", zeros (1, columns (q))), diff (run.between.t)(1), modes, ...
-                              frequencies, M);
+                              sqrt (max (0, squares)).'/(2*pi), mass);
   spectrum.label = ["spectra of the tip of " scene.bodies(k).name];
   spectrum.predicted = [];
   spectrum.note = strrep (spectrum.note, "predicted ones", "modes of the rod");

@@ -11,17 +11,17 @@ function spectrum = tip_spectrum (scene, run)
   spectrum = [];
   model = run.model;
   system = rod_system (scene, model);
-  [modes, squares] = eig ((system.stiffness + system.stiffness.')/2, (system.mass + system.mass.')/2);
-  all_predicted = sqrt (max (0, diag (squares))).'/(2*pi);
-  predicted = sort (all_predicted(all_predicted > 1e-6*max ([all_predicted, 1])));
-  if (isempty (predicted))
+  [modes, squares] = free_modes (system.stiffness, system.mass);
+  frequencies = sqrt (max (0, squares)).'/(2*pi);
+  fastest = max ([frequencies, 0]);
+  if (fastest <= 1e-6)
     return;
   endif
-  [times, states] = sampled (run, system, scene, 2*ceil (1.5*predicted(end)*scene.duration + 32));
+  [times, states] = sampled (run, system, scene, 2*ceil (1.5*fastest*scene.duration + 32));
   if (isempty (times))
     return;
   endif
-  spectrum = spectrum_of_tip (model, system.motion (times, states), diff (times)(1), modes, all_predicted, system.mass);
+  spectrum = spectrum_of_tip (model, system.motion (times, states), diff (times)(1), modes, frequencies, system.mass);
 endfunction
 
 ## so many times or more, if there are

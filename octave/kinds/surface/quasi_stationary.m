@@ -8,8 +8,8 @@
 function z = quasi_stationary (system, z, z_dot, metres)
   M = system.mass_matrix (z);
   K = system.tangent_stiffness (0, z, z_dot, 0*z);
-  [modes, omega_2] = eig ((K + K.')/2, (M + M.')/2);
-  omega_2 = diag (omega_2).';
+  [modes, squares] = free_modes (K, M);
+  omega_2 = squares.';
   modes = modes(:,omega_2 > (2*pi/system.duration)^2);
   omega_2 = omega_2(omega_2 > (2*pi/system.duration)^2);
   shift = -(system.residual (0, z, z_dot, 0*z).'*modes)./omega_2;
