@@ -21,6 +21,8 @@
 ## second derivative along the rod
 ## @item @var{place}.alpha2_11 (array, 1/m or rad/m^2)
 ## of the second
+## @item @var{place}.kappa (array, 1/m)
+## of the undeformed rod, in the tangent plane
 ## @item @var{place}.alpha1_dot (array, m/s or rad/s)
 ## rate
 ## @item @var{place}.alpha2_dot (array, m/s or rad/s)
@@ -62,6 +64,7 @@ function [reaction_0, reaction_1, reaction_2] = surface_plane_reaction (place, r
   alpha2_1 = place.alpha2_1;
   alpha1_11 = place.alpha1_11;
   alpha2_11 = place.alpha2_11;
+  kappa = place.kappa;
   alpha1_dot = place.alpha1_dot;
   alpha2_dot = place.alpha2_dot;
   rhoA = rod.rhoA;
@@ -71,18 +74,18 @@ function [reaction_0, reaction_1, reaction_2] = surface_plane_reaction (place, r
   GJ = rod.GJ;
   inclination = surface.inclination;
   if (! size_equal (1, rhoA, EA, EI, EI_normal, GJ, gravity, inclination) || ! size_equal (alpha1, ...
-      alpha2, alpha1_1, alpha2_1, alpha1_11, alpha2_11, alpha1_dot, alpha2_dot))
+      alpha2, alpha1_1, alpha2_1, alpha1_11, alpha2_11, kappa, alpha1_dot, alpha2_dot))
     check_sizes ("surface_plane_reaction", {"place.alpha1", alpha1, []; "place.alpha2", alpha2, []; ...
       "place.alpha1_1", alpha1_1, []; "place.alpha2_1", alpha2_1, []; "place.alpha1_11", alpha1_11, []; ...
-      "place.alpha2_11", alpha2_11, []; "place.alpha1_dot", alpha1_dot, []; ...
+      "place.alpha2_11", alpha2_11, []; "place.kappa", kappa, []; "place.alpha1_dot", alpha1_dot, []; ...
       "place.alpha2_dot", alpha2_dot, []; "rod.rhoA", rhoA, [1, 1]; "rod.EA", EA, [1, 1]; ...
       "rod.EI", EI, [1, 1]; "rod.EI_normal", EI_normal, [1, 1]; "rod.GJ", GJ, [1, 1]; ...
       "gravity", gravity, [1, 1]; "surface.inclination", inclination, [1, 1]});
   endif
   reaction_0 = cos(inclination)*gravity*rhoA + ...
-      zeros(size(alpha1 + alpha2 + alpha1_1 + alpha2_1 + alpha1_11 + alpha2_11 + alpha1_dot + alpha2_dot));
+      zeros(size(alpha1 + alpha2 + alpha1_1 + alpha2_1 + alpha1_11 + alpha2_11 + kappa + alpha1_dot + alpha2_dot));
   reaction_1 = 0 + ...
-      zeros(size(alpha1 + alpha2 + alpha1_1 + alpha2_1 + alpha1_11 + alpha2_11 + alpha1_dot + alpha2_dot));
+      zeros(size(alpha1 + alpha2 + alpha1_1 + alpha2_1 + alpha1_11 + alpha2_11 + kappa + alpha1_dot + alpha2_dot));
   reaction_2 = 0 + ...
-      zeros(size(alpha1 + alpha2 + alpha1_1 + alpha2_1 + alpha1_11 + alpha2_11 + alpha1_dot + alpha2_dot));
+      zeros(size(alpha1 + alpha2 + alpha1_1 + alpha2_1 + alpha1_11 + alpha2_11 + kappa + alpha1_dot + alpha2_dot));
 endfunction

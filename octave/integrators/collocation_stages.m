@@ -6,7 +6,7 @@
 ## @code{surface_rod}) on, by Newton's iteration from a first guess of @var{a}, until a step of it moves no point by
 ## @var{size} (m).
 ##
-## @var{stages}: a cell of places and velocities; @var{tangents}: a struct of M and K (n-by-n-by-s), h, and the factors
+## @var{stages}: a cell of places and velocities; @var{tangents}: a struct of M, C and K (n-by-n-by-s), h, and the factors
 ## of Newton's matrix; those of a step before, where they are given and h is the same, are taken for as long as they
 ## serve.  @var{message}: why there are none, or "".
 ##
@@ -45,6 +45,10 @@ function tangents = tangents_of (system, method, t, h, stages, a)
   tangents.h = h;
   tangents.K = system.tangent_stiffness (t, stages{:}, a);
   tangents.M = system.mass_matrix (stages{1});
+  tangents.C = 0*tangents.K;
+  if (system.damped)
+    tangents.C = system.tangent_damping (t, stages{:}, a);
+  endif
   [tangents.lower, tangents.upper, tangents.order] = lu (newton_matrix (method, h, tangents), "vector");
 endfunction
 
@@ -52,13 +56,14 @@ function matrix = newton_matrix (method, h, tangents)
   [n, ~, s] = size (tangents.K);
   for i = 1:s
     own = (i - 1)*n + (1:n);
-    matrix(own,:) = kron (h^2*method.AA(i,:), tangents.K(:,:,i));
+    matrix(own,:) = kron (h^2*method.AA(i,:), tangents.K(:,:,i)) + kron (h*method.A(i,:), tangents.C(:,:,i));
     matrix(own,own) += tangents.M(:,:,i);
   endfor
 endfunction
 
 %!function system = oscillators ()   # z'' = -4 z, and z'' = -4 sin z
 %!  system.points = 1;
+%!  system.damped = false;
 %!  system.size = @(z) max (abs (z)(:));
 %!  system.residual = @(t, z, z_dot, a) a + 4*[z(1,:); sin(z(2,:))];
 %!  system.mass_matrix = @(z) repmat (eye (2), [1 1 columns(z)]);

@@ -58,8 +58,8 @@ endfunction
 function [drift, largest] = energy_drift (system, before, after, largest)
   n = system.n;
   both = [before, after, system.initial_state];
-  E = [system.energies(both(1:n,:), both(n+1:2*n,:))(1:3,:); -both(2*n+1,:)];
-  largest = max ([largest; abs(E(1:2,2)); abs(E(3:4,2) - E(3:4,3))]);
+  E = [system.energies(both(1:n,:), both(n+1:2*n,:))(1:3,:); -both(2*n+1,:); both(2*n+2,:)];
+  largest = max ([largest; abs(E(1:2,2)); abs(E(3:5,2) - E(3:5,3))]);
   rounding = 100*eps*max (sum (abs (E), 1));
   drift = max (abs (sum (E(:,2)) - sum (E(:,1))) - rounding, 0)/largest;
 endfunction
@@ -91,7 +91,7 @@ function [states, tangents] = march (system, method, interval, y, m, tangents, t
       states(:,inside) = within_step (method.points, h, y, acceleration, power, (times(inside) - t)/h);
     endif
     y = [z + h*z_dot + h^2*acceleration*method.second_weights.'; z_dot + h*acceleration*method.weights.'; ...
-         y(2*n+1) + h*(power*method.weights.')];
+         y(2*n+1:end) + h*(power*method.weights.')];
   endfor
   states(:,end) = y;
 endfunction

@@ -70,11 +70,11 @@ endfunction
 function metres = embedded_error (system, method, h, y, a_start, stages, tangents)
   n = system.n;
   middle = (numel (method.points) + 1)/2;
-  [M, K] = deal (tangents.M(:,:,middle), tangents.K(:,:,middle));
+  [M, C, K] = deal (tangents.M(:,:,middle), tangents.C(:,:,middle), tangents.K(:,:,middle));
   g = method.g/h;
   place = y(n+1:2*n) + (stages{1} - y(1:n))*method.e.'/h;
   rate = M*(a_start + (stages{2} - y(n+1:2*n))*method.e.'/h);
-  v = (g*M + K/g) \ (rate - K*place/g);
+  v = (g*M + C + K/g) \ (rate - K*place/g);
   metres = max (system.size ((v + place)/g), h*system.size (v));
 endfunction
 

@@ -13,12 +13,7 @@ function axis = rod_axis (rod, panels, section = struct ("rhoA", 1, "rhoI", 0))
   steps = diff (axis.ends);
   axis.xi = (axis.ends(1:end-1) + steps.*nodes.')(:).';
   axis.weights = (steps.*weights.')(:).';
-  kappa = curvature_function (rod);
-  axis.kappa = kappa (axis.xi);
-  if (! (isequal (size (axis.kappa), size (axis.xi)) && all (isfinite (axis.kappa))))
-    scene_error (["rod.curvature gives %d values for %d stations or no numbers: it takes a vectorised function" ...
-                  " of xi in 1/m"], numel (axis.kappa), numel (axis.xi));
-  endif
+  axis.kappa = curvature_at (rod, axis.xi);
   integral = integrals_to (axis, axis.xi);
   axis.theta = axis.kappa*integral.';
   [cosine, sine] = curved_rod_slopes (axis.theta, 0*axis.theta, 0*axis.theta);
@@ -30,15 +25,6 @@ function axis = rod_axis (rod, panels, section = struct ("rhoA", 1, "rhoI", 0))
   axis.tilt = -atan2 (S_2*axis.weights.', S_1*axis.weights.');
   axis.theta += axis.tilt;
   [axis.x, axis.y] = rod_centreline (axis.tilt*ones (size (x)), x, 0*x, y);
-endfunction
-
-## a number, coefficients of the powers of xi/length from the constant on, or a function of xi
-function kappa = curvature_function (rod)
-  kappa = rod.curvature;
-  if (! is_function_handle (kappa))
-    coefficients = flipud (kappa(:));
-    kappa = @(xi) polyval (coefficients, xi/rod.length) + zeros (size (xi));
-  endif
 endfunction
 
 %!test # a semicircle: length pi, its end at (0, 2) from O along the tangent, centre of mass at 2/pi of the radius

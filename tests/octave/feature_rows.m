@@ -17,12 +17,13 @@ function rows = feature_rows ()
   place = joint ("position", 0, @(t) [1.5 0; 0 0; 0 0]);
   spring = setfield (joint ("spring", 1, 0), "stiffness", 100);
   on_one = @(joint) rmfield (joint, "bodies");
+  on_surface = struct ("kind", "spring", "stations", 0.3, "point", [0 0 1], "stiffness", 10);
   hinge = struct ("kind", "revolute", "bodies", [1 2], "stations", [1 0]);
   none = {"", "", "", ""};
   as_body = {"as a body of a mechanism", "as a body of a mechanism", "", ""};
   as_body_if_curved = {"", "as a body of a mechanism", "", ""};
   rows = {
-    "section by material", {"rod.width", 0.03, "rod.mu", 1e9}, {"rod", material}, {"rod.width", 0.03}, none
+    "section by material", {"rod.width", 0.03, "rod.mu", 1e9}, {"rod", material}, {"rod", material}, none
     "section by stiffness", {"rod.EA", 1e5, "rod.EI", 8, "rod.rhoA", 0.2}, {"rod", stiffness}, {"rod", stiffness}, none
     "curved axis", {}, {"rod.curvature", -1}, {"rod.curvature", -1}, {"that is the next column", "yes", "", ""}
     "rotary inertia", {"model.rotary_inertia", true}, {"model.rotary_inertia", true}, {"rod.rhoI", 1e-6}, none
@@ -34,9 +35,9 @@ function rows = feature_rows ()
     "moment at O", {"moment", 0.1}, joint("moment", 0, 0.1), {"moment", 0.01}, none
     "moment elsewhere", {"joints", {on_one(joint ("moment", 1, 0.1))}}, joint("moment", 1, 0.1), ...
       {"tip_moment", 0.01}, none
-    "springs, dampers", {"joints", {on_one(spring)}}, spring, {"joints", {spring}}, none
+    "springs, dampers", {"joints", {on_one(spring)}}, spring, {"joints", {on_surface}}, none
     "joints between rods", {"joints", {hinge}}, hinge, {"joints", {hinge}}, ...
-      {"one rod has none", "one rod has none", "", ""}
+      {"one rod has none", "one rod has none", "", "one rod has none"}
     "prescribed rotation", {"rotation", at_rest}, angle, {"rotation", at_rest}, as_body_if_curved
     "prescribed place", {"place", place.value}, place, {"place", place.value}, as_body
     "start deformed", {"initial.V2", 1e-3}, {"initial.V2", 1e-3}, {"initial.shape", @(xi) [xi; xi.^2]}, none

@@ -31,6 +31,16 @@ function [base, choices] = surface_choices ()
     "force", "none", {}
     "force", "constant", {"force", [0.5 0 0.2]}
     "force", "function", {"force", @(t) [0, sin(50*t), 0]}
+    "force", "on the way", {"force", [0.5 0 0.2], "force_station", 0.1}
+    "tip mass", "none", {}
+    "tip mass", "some", {"tip_mass", 0.05}
+    "joints", "none", {}
+    "joints", "a spring, a force and a moment", {"joints", joints()}
+    "axis", "straight", {}
+    "axis", "an arc", {"rod.curvature", 0.5}
+    "axis", "a function", {"rod.curvature", @(xi) sin(9*xi)}
+    "damping", "none", {}
+    "damping", "some", {"rod.damping", 1e-3}
     "moment", "none", {}
     "moment", "pulse", {"moment", @(t) 0.05*(t < 0.01), "moment_breaks", 0.01}
     "tip moment", "none", {}
@@ -39,6 +49,8 @@ function [base, choices] = surface_choices ()
     "gravity", "none", {"gravity", 0}
     "stiffness", "one", {}
     "stiffness", "three", {"rod.EI_normal", 0.01, "rod.GJ", 0.01}
+    "stiffness", "a material's", {"rod", struct("length", 0.4, "width", 0.01, "half_height", 0.005, ...
+                                               "lambda", 1e6, "mu", 1e6, "density", 1000)}
     "rotary inertia", "none", {}
     "rotary inertia", "some", {"rod.rhoI", 1e-6}
     "place", "along", {}
@@ -54,6 +66,12 @@ function [base, choices] = surface_choices ()
   for name = {integrator_table({"rate", "residual"}).name}
     choices(end+1,:) = {"solver", name{1}, {"solver.name", name{1}}};
   endfor
+endfunction
+
+function given = joints ()
+  given = {struct("kind", "spring", "stations", 0.3, "point", [0 0 1], "stiffness", 2, "damping", 0.1)
+           struct("kind", "force", "stations", 0.2, "value", [0 0.1 0])
+           struct("kind", "moment", "stations", 0.2, "value", @(t) 0.01*sin(50*t))};
 endfunction
 
 ## an arc in the chart

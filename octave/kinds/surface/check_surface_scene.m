@@ -24,11 +24,15 @@ function scene = check_surface_scene (given)
     scene = setfield (scene, path{:}, value);
   endfor
   refuse_missing_solver (scene.solver.name, "lsode_bdf");
-  if (isempty (scene.rod.EI_normal))
-    scene.rod.EI_normal = scene.rod.EI;
+  scene.rod = section_on_surface (scene.rod);
+  if (! isempty (scene.rod.curvature))
+    check_curvature (setfield (scene.rod, "curvature_breaks", []), "");
   endif
-  if (isempty (scene.rod.half_height))
-    scene.rod.half_height = scene.rod.length/200;
+  if (isempty (scene.force_station))
+    scene.force_station = scene.rod.length;
+  elseif (scene.force_station > scene.rod.length)
+    scene_error ("force_station is %g: it takes a place on the rod, at most %g m", scene.force_station, ...
+                 scene.rod.length);
   endif
   if (! isfield (scene.surface, "side"))
     scene.surface.side = 1;
@@ -45,7 +49,8 @@ function scene = check_surface_scene (given)
     "tip_moment", scene.tip_moment, 1, "a number in N m",                  [], false
     "force",      scene.force,      3, "3 numbers, F_x, F_y and F_z in N", [], false
   });
-  [scene.moment_breaks, scene.probed] = load_breaks (loads, scene.moment_breaks, scene);
+  [scene.joints, of_joints] = joints_on_surface (scene);
+  [scene.moment_breaks, scene.probed] = load_breaks ([loads, of_joints], scene.moment_breaks, scene);
 endfunction
 
 function check_value (name, value, kind)
@@ -95,7 +100,7 @@ endfunction
 %! assert (scene.rod.EI_normal, 1); assert (scene.gravity, 9.81); assert (scene.force, [0 0 0]);
 %!error <surface is a char: it takes a struct> check_surface_scene (setfield (smallest (), "surface", "bowl"))
 %!error <rod.EA is -1: it takes positive number in N> check_surface_scene (setfield (smallest (), "rod", "EA", -1))
-%!error <rod.EI is missing> check_surface_scene (setfield (smallest (), "rod", struct ("length", 1, "EA", 1)))
+%!error <rod.EA, rod.EI and rod.rhoA are given together> check_surface_scene (setfield (smallest (), "rod", struct ("length", 1, "EA", 1)))
 %!error <colour is not a field of a scene on a surface> check_surface_scene (setfield (smallest (), "colour", 1))
 %!error <ends is a 1-by-1 cell: it takes two of "free", "hinge" and "clamped">
 %! check_surface_scene (setfield (smallest (), "ends", {"free"}))

@@ -2,7 +2,7 @@
 ## @deftypefn {} {@var{history} =} measure_surface (@var{system}, @var{scene}, @var{times}, @var{states})
 ## What is observed of a rod on a surface at the @var{times} (1-by-m): t, tip and mid (3-by-m, m, of the tip and of
 ## mid-span), psi and tip_psi (1-by-m, rad, the tangent's angles at its start and its tip in the tangent plane, from
-## the chart's first direction to its second, without jumps of 2 pi), q (N-by-m) with q_names, T, U, Z, W, D (0),
+## the chart's first direction to its second, without jumps of 2 pi), q (N-by-m) with q_names, T, U, Z, W, D,
 ## balance and energy_floor (J), angular_momentum about the origin (3-by-m), reaction (p-by-m, N/m, see
 ## @code{normal_reaction}), support (3-by-m, N, see @code{surface_support}), and the centreline x, y, z (101-by-m, m)
 ## with the unit normals n_1, n_2, n_3 there.
@@ -21,11 +21,11 @@ function history = measure_surface (system, scene, times, states)
   history.Z = E(3,:);
   history.angular_momentum = E(4:6,:);
   history.W = states(2*n+1,:);
-  history.D = zeros (size (times));
-  history.balance = history.T + history.U + history.Z - history.W;
+  history.D = states(2*n+2,:);
+  history.balance = history.T + history.U + history.Z + history.D - history.W;
   history.energy_floor = system.energy_floor;
   history.reaction = normal_reaction (system, z, z_dot);
-  history.support = surface_support (system, scene, times, states);
+  history.support = surface_support (system, times, states);
   stations = linspace (0, scene.rod.length, 101).';
   fields = system.fields (z, z_dot, z_dot, stations);
   [history.x, history.y, history.z] = system.surface.position (fields);
@@ -68,12 +68,12 @@ endfunction
 %! scene = check_surface_scene (scene);
 %! system = surface_rod (scene);
 %! state = system.initial_state;
-%! state(end) = 7;
+%! state(end-1:end) = [7; 2];
 %! history = measure_surface (system, scene, [0 1], [state, state]);
 %! assert (history.T, 1.5*2*3^2/2*[1 1], 1e-9); assert (history.U, [0 0], 1e-9); assert (history.W, [7 7]);
 %! height = mean (history.z(:,1));
 %! assert (history.Z, 3*9.81*height*[1 1], 1e-6); assert (abs (height) > 0.1);
-%! assert (history.balance, history.T + history.Z - 7, 1e-9); assert (history.D, [0 0]);
+%! assert (history.balance, history.T + history.Z - 5, 1e-9); assert (history.D, [2 2]);
 %! assert (norm (history.angular_momentum(:,1)), 3*2*3, 1e-9);
 %! assert (history.largest_strain < 1e-9); assert (numel (history.q_names), 6);
 %!test # tangent's angles as the start has them, along a rod that winds, and mid-span

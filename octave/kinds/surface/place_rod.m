@@ -13,7 +13,7 @@ function place = place_rod (scene, surface)
   weights = weights.';
   stations = [0, xi, l];
   if (isempty (scene.initial.shape))
-    alpha = laid_geodesic (surface, scene.initial.point, scene.initial.angle, stations);
+    alpha = laid_rod (surface, scene.rod, scene.initial.point, scene.initial.angle, stations);
   else
     alpha = values_of (scene.initial.shape, "initial.shape", numel (stations), stations);
   endif

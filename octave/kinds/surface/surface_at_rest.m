@@ -12,7 +12,7 @@ function balance = surface_at_rest (scene, system)
   balance.start = zeros (system.n, 1);
   balance.residual = @(t, z, v, lambda) -system.residual (t.*ones (1, columns (z)), z, v, 0*z);
   balance.tangent = @(t, z, lambda) system.tangent_stiffness (t, z, 0*z, 0*z);
-  balance.damping = @(t, z, lambda) zeros (system.n);
+  balance.damping = @(t, z, lambda) system.tangent_damping (t, z, 0*z, 0*z);
   balance.mass = @(z) system.mass_matrix (z);
   balance.accelerations = @(t, z, v) accelerations (system, t, z, v);
   balance.moving = @(t, z, v, a, lambda) -system.residual (t.*ones (1, columns (z)), z, v, a);
@@ -23,7 +23,7 @@ function balance = surface_at_rest (scene, system)
   balance.shape = @(z) {shape(system, system.fields (z, 0*z, 0*z, stations))};
   b = surface_basis (scene, system.place, stations);
   balance.interpolation = [b.values{1}; b.values{2}];
-  balance.supports = @(t, z, lambda) supports (system, scene, t, z);
+  balance.supports = @(t, z, lambda) supports (system, t, z);
   balance.along = @(t, z, lambda) {surface_section(system, z, stations)};
   balance.most = 16;  # more polynomials are too much alike
   balance.bodies = {1:system.n};
@@ -31,12 +31,12 @@ function balance = surface_at_rest (scene, system)
 endfunction
 
 function [a, lambda] = accelerations (system, t, z, v)
-  a = system.rate (t, [z; v; 0], [0 system.duration])(system.n+1:2*system.n);
+  a = system.rate (t, [z; v; 0; 0], [0 system.duration])(system.n+1:2*system.n);
   lambda = zeros (0, 1);
 endfunction
 
-function rows = supports (system, scene, t, z)
-  R = surface_support (system, scene, t, [z; 0*z; 0]);
+function rows = supports (system, t, z)
+  R = surface_support (system, t, [z; 0*z; 0; 0]);
   rows = {"reaction_x [N]", R(1); "reaction_y [N]", R(2); "reaction_z [N]", R(3)};
 endfunction
 

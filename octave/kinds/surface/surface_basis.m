@@ -2,10 +2,12 @@
 ## @deftypefn {} {@var{base} =} surface_basis (@var{scene}, @var{place}, @var{stations})
 ## The functions along a rod on a surface at @var{stations} (p-by-1, m) of it, for both coordinates of the chart: cell
 ## arrays of two, values, slopes (1/m) and seconds (1/m^2; p-by-n, of the coordinates z that the ends leave free, see
-## @code{place_rod}) and the same of the start, start_values, start_slopes, start_seconds (p-by-1).
+## @code{place_rod}), the same of the start, start_values, start_slopes, start_seconds (p-by-1), and kappa (p-by-1,
+## 1/m), the curvature of the undeformed rod.
 ## @end deftypefn
 
 function base = surface_basis (scene, place, stations)
+  base.kappa = curvature_at (scene.rod, stations);
   last = 0;
   for i = 1:2
     [base.values{i}, base.slopes{i}, base.seconds{i}] = rod_functions (scene.model, i, stations, scene.rod.length);

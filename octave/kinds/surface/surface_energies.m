@@ -1,15 +1,17 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{E} =} surface_energies (@var{system}, @var{z}, @var{z_dot})
-## Kinetic energy, strain energy, potential energy of gravity (J) and the three components of the angular momentum
-## about the origin (kg m^2/s), a row each, of the rod of @code{surface_rod}: 6-by-m at m states.
+## Kinetic energy, strain energy, with that of springs, potential energy of gravity (J) and the three components of the
+## angular momentum about the origin (kg m^2/s), a row each, of the rod of @code{surface_rod}: 6-by-m at m states.
 ## @end deftypefn
 
 function E = surface_energies (system, z, z_dot)
-  fields = system.fields (z, z_dot, z_dot, system.points);
-  [density{1:6}] = system.surface.energies (fields, system.rod, system.gravity);
-  E = cell2mat (cellfun (@(d) system.weights.'*d, density.', "uniformoutput", false));
+  E = zeros (6, columns (z));
+  E(2,:) += springs_on_surface (system, z, z_dot).energy;
+  for part = system.parts
+    [density{1:6}] = system.surface.energies (fields_of_basis (part.base, z, z_dot, z_dot), part.rod, system.gravity);
+    E += cell2mat (cellfun (@(d) part.weights.'*d, density.', "uniformoutput", false));
+  endfor
 endfunction
-
 %!test # a rod that turns about its start on the level plane
 %! scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 1, ...
 %!                 "rod", struct ("length", 2, "EA", 3, "EI", 1, "rhoA", 1.5), "model", struct ("modes", [3 3]));

@@ -3,10 +3,13 @@
 ## All fields of a scene of a rod on a surface, beside scene.surface (see @code{surface_functions}), as in
 ## @code{scene_fields}.
 ##
-## Loads are a moment at the rod's start and one at its end, about the surface's normal, and a force at its end, fixed
-## in space.  Rotary inertia rhoI, per length, is that about the surface's normal.  The rod starts unstretched on a
-## geodesic from initial.point at initial.angle from the chart's first direction to its second, unless initial.shape
-## gives its place.  The first of the ends is that of xi = 0.  On a surface with a side the rod lies on that side of it
+## Loads are a moment at the rod's start and one at its end, about the surface's normal, and a force, fixed in space, at
+## its end or at force_station; joints are more of them, and springs from places in space (see @code{joint_kinds}:
+## forces and points have three numbers).  The section is a rectangle of width along the surface's normal by twice
+## half_height, of a material, or what EA, EI, rhoA state, with EI_normal (EI), GJ (0), rhoI (0).  Rotary inertia rhoI,
+## per length, is that about the surface's normal; damping is Kelvin's and Voigt's time.  The rod starts undeformed, a
+## straight one on a geodesic, one with curvature bent in the tangent plane, from initial.point at initial.angle from
+## the chart's first direction to its second, unless initial.shape gives its place.  The first of the ends is that of xi = 0.  On a surface with a side the rod lies on that side of it
 ## (1: where the normal points, -1: the other), 0: it cannot leave it.  The chart's coordinates along the rod are
 ## model.modes polynomials and model.sines sines beside the start. A pixel's tolerance is half of one, where the rod
 ## fills the frame's smaller side.
@@ -16,18 +19,27 @@ function fields = surface_scene_fields ()
   fields = {
     "title",               "",                 "text"
     "rod.length",          NaN,                "positive number in m"
-    "rod.EA",              NaN,                "positive number in N"
-    "rod.EI",              NaN,                "positive number in N m^2"
-    "rod.EI_normal",       [],                 "nonnegative number in N m^2"
-    "rod.GJ",              0,                  "nonnegative number in N m^2"
-    "rod.rhoA",            NaN,                "positive number in kg/m"
-    "rod.rhoI",            0,                  "nonnegative number in kg m"
+    "rod.width",           [],                 "positive number in m"
     "rod.half_height",     [],                 "positive number in m"
+    "rod.lambda",          1.2e11,             "nonnegative number in Pa"
+    "rod.mu",              8.1e10,             "positive number in Pa"
+    "rod.density",         7800,               "positive number in kg/m^3"
+    "rod.EA",              [],                 "positive number in N"
+    "rod.EI",              [],                 "positive number in N m^2"
+    "rod.EI_normal",       [],                 "nonnegative number in N m^2"
+    "rod.GJ",              [],                 "nonnegative number in N m^2"
+    "rod.rhoA",            [],                 "positive number in kg/m"
+    "rod.rhoI",            [],                 "nonnegative number in kg m"
+    "rod.curvature",       [],                 "vector or function of xi in 1/m"
+    "rod.damping",         0,                  "nonnegative number in s"
+    "tip_mass",            0,                  "nonnegative number in kg"
     "ends",                {"free", "free"},   "two of \"free\", \"hinge\" and \"clamped\""
     "gravity",             9.81,               "number in m/s^2"
     "moment",              0,                  "number or function of t in N m"
     "tip_moment",          0,                  "number or function of t in N m"
     "force",               [0 0 0],            "three numbers or function of t in N"
+    "force_station",       [],                 "nonnegative number in m"
+    "joints",              {},                 "struct array, or cell array of structs"
     "moment_breaks",       [],                 "vector of times in s"
     "initial.from",        "",               "text"
     "initial.point",       [0 0],              "vector of two coordinates of the chart"
@@ -55,8 +67,8 @@ endfunction
 %!test # what a scene has that says no more than it must: free, at the chart's origin, with nothing but its weight
 %! fields = surface_scene_fields ();
 %! numbers = fields(cellfun (@(value) isnumeric (value) && ! isempty (value), fields(:,2)),[1 2]);
-%! expected = {"rod.length", NaN; "rod.EA", NaN; "rod.EI", NaN; "rod.GJ", 0; "rod.rhoA", NaN; "rod.rhoI", 0
-%!             "gravity", 9.81; "moment", 0; "tip_moment", 0; "force", [0 0 0]; "initial.point", [0 0]
+%! expected = {"rod.length", NaN; "rod.lambda", 1.2e11; "rod.mu", 8.1e10; "rod.density", 7800
+%!             "rod.damping", 0; "tip_mass", 0; "gravity", 9.81; "moment", 0; "tip_moment", 0; "force", [0 0 0]; "initial.point", [0 0]
 %!             "initial.angle", 0; "duration", NaN; "frames_per_second", 50; "frame_size", [1280 720]
 %!             "view.elevation", 35; "view.azimuth", 30; "view.turning", 0; "model.sines", [0 0]};
 %! assert (numbers, expected);

@@ -1,17 +1,21 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{R} =} surface_support (@var{system}, @var{scene}, @var{times}, @var{states})
+## @deftypefn {} {@var{R} =} surface_support (@var{system}, @var{times}, @var{states})
 ## The force (3-by-m, N) of all that holds the rod of @code{surface_rod}, the surface and its ends together, at the
-## @var{times} (1-by-m): what moves its mass, less its weight and the load at its end.  It is the resultant of
+## @var{times} (1-by-m): what moves its mass, less its weight, the loads and the springs.  It is the resultant of
 ## @code{normal_reaction} where the ends are free and bending asks for no couple about the rod, which the surface can
 ## only give by a force along itself.  It is as exact as the accelerations are (see @code{reaction_at_O}).
 ## @end deftypefn
 
-function R = surface_support (system, scene, times, states)
+function R = surface_support (system, times, states)
   n = system.n;
   z_ddot = system.rate (times, states, [0, system.duration])(n+1:2*n,:);
-  fields = system.fields (states(1:n,:), states(n+1:2*n,:), z_ddot, system.points);
-  [density{1:3}] = system.surface.support (fields, system.rod, system.gravity);
-  R = cell2mat (cellfun (@(d) system.weights.'*d, density.', "uniformoutput", false)) - at_times (scene.force, times);
+  [z, z_dot] = deal (states(1:n,:), states(n+1:2*n,:));
+  [~, force] = loads_on_surface (system, times, z);
+  R = -force - springs_on_surface (system, z, z_dot).force;
+  for part = system.parts
+    [density{1:3}] = system.surface.support (fields_of_basis (part.base, z, z_dot, z_ddot), part.rod, system.gravity);
+    R += cell2mat (cellfun (@(d) part.weights.'*d, density.', "uniformoutput", false));
+  endfor
 endfunction
 
 %!test # a hinged rod that turns steadily on the level plane, as stretched as that holds it: all three forces
@@ -22,7 +26,7 @@ endfunction
 %! scene.initial.velocity = @(xi, alpha) 5*[0*xi; alpha(1,:)];
 %! scene = check_surface_scene (setfield (scene, "solver", "tolerance", 1e-12));  # it starts as stated
 %! system = surface_rod (scene);
-%! R = surface_support (system, scene, [0 0.5], [system.initial_state, system.initial_state]);
+%! R = surface_support (system, [0 0.5], [system.initial_state, system.initial_state]);
 %! assert (R, [-3*2^2/2*25 - 40; 0; 3*2*9.81 + 1]*[1 1], 0.1);
 %!test # of a limp rod that slides in a bowl it is the resultant of the normal reaction
 %! scene = setfield (setfield (bowl (), "duration", 0.1), "rod", "EI_normal", 0);

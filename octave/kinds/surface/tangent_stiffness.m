@@ -2,19 +2,12 @@
 ## @deftypefn {} {@var{K} =} tangent_stiffness (@var{system}, @var{t}, @var{z}, @var{z_dot}, @var{z_ddot})
 ## Derivative of the residual of a rod on a surface (see @code{surface_rod}) by z at k times and states (n-by-k each):
 ## n-by-n-by-k, N per unit of z, all columns in one call.
-##
-## It is the imaginary part after an imaginary step (Squire and Trapp, SIAM Review 40, 1998): nothing is subtracted, so
-## that the step can be as small as it likes, and K is exact to rounding.  Derived functions are analytic; a surface of
-## one's own writes abs (x) as sqrt (x^2).
+## See @code{imaginary_steps}; a surface of one's own writes abs (x) as sqrt (x^2).
 ## @end deftypefn
 
 function K = tangent_stiffness (system, t, z, z_dot, z_ddot)
-  [n, k] = size (z);
-  step = 1e-30*system.points(end);
-  all_of = @(x) repmat (x, 1, n);
-  each = kron (eye (n), ones (1, k));
-  R = system.residual (t, all_of (z) + 1i*step*each, all_of (z_dot), all_of (z_ddot));
-  K = permute (reshape (imag (R)/step, n, k, n), [1 3 2]);
+  K = imaginary_steps (@(t, step, z, z_dot, z_ddot) system.residual (t, z + step, z_dot, z_ddot), ...
+                       1e-30*system.points(end), t, z, z_dot, z_ddot);
 endfunction
 
 %!test # of a rod that is stretched on the plane: EA/l in the first polynomial, by 2/l squared

@@ -1,11 +1,11 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{alpha} =} laid_geodesic (@var{surface}, @var{point}, @var{angle}, @var{stations})
-## The chart's coordinates (2-by-m) of a rod that lies unstretched on a geodesic of the @var{surface} (see
-## @code{surface_functions}) at its @var{stations} (1-by-m, m, ascending from 0): from the @var{point} (2 coordinates)
-## at the @var{angle} (rad) from the chart's first direction to its second.
+## @deftypefn {} {@var{alpha} =} laid_rod (@var{surface}, @var{rod}, @var{point}, @var{angle}, @var{stations})
+## The chart's coordinates (2-by-m) of a @var{rod} (a checked scene's field) that lies undeformed on the @var{surface}
+## (see @code{surface_functions}), a straight one on a geodesic, at its @var{stations} (1-by-m, m, ascending from 0):
+## from the @var{point} (2 coordinates) at the @var{angle} (rad) from the chart's first direction to its second.
 ## @end deftypefn
 
-function alpha = laid_geodesic (surface, point, angle, stations)
+function alpha = laid_rod (surface, rod, point, angle, stations)
   place = struct ("alpha1", point(1), "alpha2", point(2));
   [a_11, a_12, a_22] = surface.mass (place, struct ("rhoA", 1));
   [slope_1, slope_2] = surface.direction (place, angle);
@@ -18,7 +18,7 @@ function alpha = laid_geodesic (surface, point, angle, stations)
     lsode_options ("relative tolerance", 1e-13);
     lsode_options ("absolute tolerance", 1e-13);
     lsode_options ("step limit", 1e5);
-    [path, state] = lsode (@(y, s) rate (y, surface), [point(:); slope], [0; stations(:)]);
+    [path, state] = lsode (@(y, s) rate (y, s, surface, rod), [point(:); slope], [0; stations(:)]);
   unwind_protect_cleanup
     lsode_options ("relative tolerance", settings{1});
     lsode_options ("absolute tolerance", settings{2});
@@ -30,23 +30,24 @@ function alpha = laid_geodesic (surface, point, angle, stations)
   alpha = path(2:end,1:2).';
 endfunction
 
-function y_dot = rate (y, surface)
-  [second_1, second_2] = surface.geodesic (struct ("alpha1", y(1), "alpha2", y(2), "alpha1_1", y(3), "alpha2_1", y(4)));
+function y_dot = rate (y, xi, surface, rod)
+  place = struct ("alpha1", y(1), "alpha2", y(2), "alpha1_1", y(3), "alpha2_1", y(4), "kappa", curvature_at (rod, xi));
+  [second_1, second_2] = surface.laid (place);
   y_dot = [y(3); y(4); second_1; second_2];
 endfunction
 
 %!test # a great circle through the lowest point, as long as it is
 %! surface = surface_functions (struct ("name", "sphere", "radius", 2));
-%! alpha = laid_geodesic (surface, [0 0], 0.3, [0 0.5 1.5]);
+%! alpha = laid_rod (surface, struct ("curvature", 0), [0 0], 0.3, [0 0.5 1.5]);
 %! [x, y, z] = surface.position (struct ("alpha1", alpha(1,:), "alpha2", alpha(2,:)));
 %! s = [0 0.5 1.5];
 %! assert ([x; y; z], 2*[cos(0.3)*sin(s/2); sin(0.3)*sin(s/2); -cos(s/2)], 1e-10);
 %!error <initial.point is \[0 1\]: the surface's chart is singular there>
-%! laid_geodesic (surface_functions (struct ("name", "cone", "half_angle", 1)), [0 1], 0, [0 1]);
+%! laid_rod (surface_functions (struct ("name", "cone", "half_angle", 1)), [], [0 1], 0, [0 1]);
 %!test # on a saddle, whose chart is oblique: as long as it is, and at its angle to the first direction
 %! surface = surface_functions (struct ("name", "saddle", "rise", 1.5, "fall", 0.7));
 %! s = linspace (0, 1, 401);
-%! alpha = laid_geodesic (surface, [0.3 0.2], 0.7, s);
+%! alpha = laid_rod (surface, struct ("curvature", 0), [0.3 0.2], 0.7, s);
 %! [x, y, z] = surface.position (struct ("alpha1", [alpha(1,:), 0.3 + 1e-6], "alpha2", [alpha(2,:), 0.2]));
 %! p = [x; y; z];
 %! assert (alpha(:,1), [0.3; 0.2], 1e-12);
@@ -54,3 +55,11 @@ endfunction
 %! first = (p(:,402) - p(:,1))/norm (p(:,402) - p(:,1));
 %! assert (first.'*(p(:,2) - p(:,1))/s(2), cos (0.7), 3e-3);
 %! assert (alpha(2,2) > alpha(2,1));
+%!test # a small circle of a sphere, of which the geodesic curvature is the tangent of its height over its radius
+%! surface = surface_functions (struct ("name", "sphere", "radius", 2));
+%! height = -2*sin (0.3);
+%! r = 2*cos (0.3);
+%! from = 2*r/(1 - height/2);  # in the chart
+%! s = linspace (0, 2*pi*r, 9);
+%! alpha = laid_rod (surface, struct ("curvature", tan (0.3)/2, "length", s(end)), [from 0], pi/2, s);
+%! assert (alpha, from*[cos(s/r); sin(s/r)], 1e-9);

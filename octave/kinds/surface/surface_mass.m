@@ -1,0 +1,43 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{M} =} surface_mass (@var{system}, @var{z})
+## The mass matrix of a rod on a surface (see @code{surface_rod}) at the places @var{z} (n-by-m): n-by-n-by-m.
+## @end deftypefn
+
+function M = surface_mass (system, z)
+  M = zeros (rows (z), rows (z), columns (z));
+  for part = system.parts
+    M += mass_of_part (part, system.surface, z);
+  endfor
+endfunction
+
+function M = mass_of_part (part, surface, z)
+  b = part.base;
+  fields = fields_of_basis (b, z, 0*z, 0*z);
+  densities = cell (1, 3);
+  [densities{:}] = surface.mass (fields, part.rod);
+  turning = cell (1, 4);
+  if (part.rod.rhoI > 0)
+    [turning{:}] = surface.turning (fields);
+  endif
+  for k = 1:columns (z)
+    of_state = @(density) part.weights.*density(:,k);
+    mixed = b.values{1}.'*(of_state (densities{2}).*b.values{2});
+    own = b.values{1}.'*(of_state (densities{1}).*b.values{1}) + b.values{2}.'*(of_state (densities{3}).*b.values{2}) ...
+          + mixed + mixed.';
+    if (part.rod.rhoI > 0)
+      rate = turning{1}(:,k).*b.values{1} + turning{2}(:,k).*b.values{2} ...
+             + turning{3}(:,k).*b.slopes{1} + turning{4}(:,k).*b.slopes{2};
+      own += rate.'*(part.rod.rhoI*part.weights.*rate);
+    endif
+    M(:,:,k) = own;
+  endfor
+endfunction
+
+%!test # of a rod that moves along itself as a whole, with what hangs at its end
+%! scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 1, "tip_mass", 5, ...
+%!                 "rod", struct ("length", 2, "EA", 3, "EI", 1, "rhoA", 1.5), "model", struct ("modes", [3 3]));
+%! system = surface_rod (check_surface_scene (scene));
+%! M = surface_mass (system, zeros (6, 2));
+%! assert (M(1,1,:), reshape ([8 8], 1, 1, 2), 1e-12); assert (M(1,2,2), 5, 1e-12);  # at the end the slope's is 1
+%! rotary = surface_rod (check_surface_scene (setfield (scene, "rod", "rhoI", 0.1)));
+%! assert (surface_mass (rotary, zeros (6, 1))(5,5) - M(5,5,1), 0.1*2, 1e-12);  # its slope there is 2/l

@@ -1,0 +1,58 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{R} =} surface_residual (@var{system}, @var{t}, @var{z}, @var{z_dot}, @var{z_ddot})
+## Mass times acceleration less all forces on a rod on a surface (see @code{surface_rod}), in its coordinates:
+## n-by-m, at the m times @var{t} and states.
+## @end deftypefn
+
+function R = surface_residual (system, t, z, z_dot, z_ddot)
+  R = -loads_on_surface (system, t, z) - springs_on_surface (system, z, z_dot).forces;
+  for part = system.parts
+    b = part.base;
+    w = part.weights;
+    d = densities_of (system.surface, fields_of_basis (b, z, z_dot, z_ddot), part.rod, system.gravity);
+    R += b.values{1}.'*(w.*d{1}) + b.values{2}.'*(w.*d{2}) + b.slopes{1}.'*(w.*d{3}) + b.slopes{2}.'*(w.*d{4}) ...
+         + b.seconds{1}.'*(w.*d{5}) + b.seconds{2}.'*(w.*d{6});
+  endfor
+endfunction
+
+function d = densities_of (surface, fields, rod, gravity)
+  [d{1:6}] = surface.balance (fields, rod, gravity);
+  if (rod.rhoI > 0)
+    [rotary{1:4}] = surface.rotary_balance (fields, rod);
+    d(1:4) = cellfun (@plus, d(1:4), rotary, "uniformoutput", false);
+  endif
+  if (rod.damping > 0)
+    [damping{1:6}] = surface.damping (fields, rod);
+    d = cellfun (@plus, d, damping, "uniformoutput", false);
+  endif
+endfunction
+
+%!function scene = on_level_plane (varargin)   # hinged at the origin, along the first axis
+%!  scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 1, ...
+%!                  "rod", struct ("length", 2, "EA", 30, "EI", 1, "rhoA", 1.5), "ends", {{"hinge", "free"}}, ...
+%!                  "model", struct ("modes", [3 3]), varargin{:});
+%!endfunction
+%!test # a rod that stretches under a force on the way: EA times the strain holds it up to there
+%! scene = on_level_plane ("force", [6 0 0], "force_station", 0.5);
+%! system = surface_rod (check_surface_scene (scene));
+%! still = zeros (system.n, 1);
+%! stretch = system.place.basis.'*[1 1 0 0 0 0].';
+%! assert (stretch.'*surface_residual (system, 0, still, still, still), -6*0.5, 1e-12);
+%! assert (stretch.'*surface_residual (system, 0, still, still, stretch), 1.5*2^3/3 - 6*0.5, 1e-12);
+%!test # damping stresses it like a strain of so many seconds times its rate
+%! system = surface_rod (check_surface_scene (setfield (on_level_plane (), "rod", "damping", 0.1)));
+%! still = zeros (system.n, 1);
+%! bending = system.place.basis.'*[0 0 0 0.1 0.2 0.3].';
+%! assert (surface_residual (system, 0, still, bending, still), ...
+%!         0.1*system.tangent_stiffness (0, still, still, still)*bending, 1e-12);
+%!test # an arc that is as it was made has no force, and a straight rod that is laid like it has
+%! scene = setfield (on_level_plane ("gravity", 0), "rod", "curvature", 0.4);
+%! scene.model.modes = [12 12];
+%! system = surface_rod (check_surface_scene (setfield (scene, "solver", "tolerance", 1e-12)));
+%! still = zeros (system.n, 1);
+%! assert (surface_residual (system, 0, still, still, still), still, 1e-7);
+%! assert (system.energies (still, still)(2), 0, 1e-9);
+%! scene.rod.curvature = 0;
+%! scene.initial.shape = @(xi) [sin(0.4*xi); 1 - cos(0.4*xi)]/0.4;
+%! system = surface_rod (check_surface_scene (setfield (scene, "solver", "tolerance", 1e-12)));
+%! assert (system.energies (still, still)(2), 1*0.4^2/2*2, 1e-6);
