@@ -37,7 +37,7 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
       fine = between(:,end);
       steps += 3*pieces;
       change = fine - coarse;
-      [drift, largest] = energy_drift (system, y, fine, largest);
+      [drift, largest] = energy_drift (system, interval, y, fine, largest);
       error = max (system.size (change(1:n)), tolerance*drift/balance);
       if (! all (isfinite (change)))
         error = Inf;
@@ -55,10 +55,10 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
 endfunction
 
 ## how far the energy balance moves between two states, beyond rounding, as a part of the largest change of an energy
-function [drift, largest] = energy_drift (system, before, after, largest)
+function [drift, largest] = energy_drift (system, interval, before, after, largest)
   n = system.n;
   both = [before, after, system.initial_state];
-  E = [system.energies(both(1:n,:), both(n+1:2*n,:))(1:3,:); -both(2*n+1,:); both(2*n+2,:)];
+  E = [system.energies([interval, 0], both(1:n,:), both(n+1:2*n,:))(1:3,:); -both(2*n+1,:); both(2*n+2,:)];
   largest = max ([largest; abs(E(1:2,2)); abs(E(3:5,2) - E(3:5,3))]);
   rounding = 100*eps*max (sum (abs (E), 1));
   drift = max (abs (sum (E(:,2)) - sum (E(:,1))) - rounding, 0)/largest;
@@ -85,7 +85,7 @@ function [states, tangents] = march (system, method, interval, y, m, tangents, t
     if (! isempty (message))
       return;
     endif
-    power = system.power (t + h*method.points.', stages{:});
+    power = system.power (t + h*method.points.', stages{:}, acceleration);
     inside = times >= t & times < interval(1) + h*i;
     if (any (inside))
       states(:,inside) = within_step (method.points, h, y, acceleration, power, (times(inside) - t)/h);
@@ -107,7 +107,7 @@ endfunction
 %! expected = by ("ode45", 1e-8);
 %! assert (states(1:system.n,:), expected(1:system.n,:), 1e-6);
 %! n = system.n;
-%! E = sum (surface_energies (system, states(1:n,:), states(n+1:2*n,:))(1:3,:));
+%! E = sum (surface_energies (system, times, states(1:n,:), states(n+1:2*n,:))(1:3,:));
 %! assert (E, E(1)*[1 1 1 1], 1e-9);
 %! system.frames = times;  # between them: the same motion, at no more calls
 %! finer = 0:0.02:0.3;

@@ -28,7 +28,7 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
       message = "its steps shrank to nothing";
     endif
     if (growth >= 0.85)
-      power = system.power (t + h*method.points.', stages{:});
+      power = system.power (t + h*method.points.', stages{:}, a);
       inside = times > t & times <= t + h*(1 + 1e-12);
       reached = within_step (method.points, h, y, a, power, [min(1, (times(inside) - t)/h), 1]);
       states(:,inside) = reached(:,1:end-1);

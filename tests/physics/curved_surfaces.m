@@ -26,9 +26,9 @@ endfunction
 %!   system = surface_rod (check_surface_scene (scene));
 %!   [z, z_dot, z_ddot] = deal (0.02*rand (system.n, 1), rand (system.n, 1), rand (system.n, 1));
 %!   h = 1e-4;
-%!   E = @(s) sum (surface_energies (system, z + s*z_dot + s^2/2*z_ddot, z_dot + s*z_ddot)(1:3,:), 1);
+%!   E = @(s) sum (surface_energies (system, 0, z + s*z_dot + s^2/2*z_ddot, z_dot + s*z_ddot)(1:3,:), 1);
 %!   rate = (8*(E (h) - E (-h)) - (E (2*h) - E (-2*h)))/(12*h);
-%!   assert (z_dot.'*system.residual (0, z, z_dot, z_ddot) - system.power (0, z, z_dot)(2), rate, ...
+%!   assert (z_dot.'*system.residual (0, z, z_dot, z_ddot) - system.power (0, z, z_dot, z_ddot)(2), rate, ...
 %!           1e-6*abs (rate) + 1e-8);
 %!   clear surface;
 %! endfor

@@ -28,10 +28,9 @@ function [run, converged] = exact_runs (scene, seconds)
   end_try_catch
 endfunction
 
-%!test # none of a curved rod, and of a rod in a hub
+%!test # none of a curved rod
 %! [run, converged] = exact_runs (check_scene (hook ()), 60);
 %! assert (run, []); assert (! converged);
-%! assert (exact_runs (check_scene (spin_up ()), 60), []);
 %!test # of a stiff rod that swings it has converged
 %! scene = check_scene (setfield (setfield (swing (), "duration", 0.1), "model", "modes", [0 0]));
 %! evalc ("[run, converged] = exact_runs (scene, 60);");

@@ -48,9 +48,25 @@ function scene = check_surface_scene (given)
     "moment",     scene.moment,     1, "a number in N m",                  [], false
     "tip_moment", scene.tip_moment, 1, "a number in N m",                  [], false
     "force",      scene.force,      3, "3 numbers, F_x, F_y and F_z in N", [], false
+    "rotation",   scene.rotation,   3, "3 numbers, theta, theta_dot and theta_ddot in rad, rad/s and rad/s^2", [1 2], false
   });
+  if (! isempty (scene.rotation))
+    refuse_unturned (scene);
+  endif
   [scene.joints, of_joints] = joints_on_surface (scene);
   [scene.moment_breaks, scene.probed] = load_breaks ([loads, of_joints], scene.moment_breaks, scene);
+endfunction
+
+## where turning its coordinates moves a rod as a whole, and what holds the rod in the chart
+function refuse_unturned (scene)
+  if (! any (strcmp (scene.surface.name, {"plane", "sphere"})))
+    scene_error (["rotation and the surface \"%s\" are both given: a hub turns the chart about its origin, which is a" ...
+                  " rotation of a \"plane\" or a \"sphere\""], scene.surface.name);
+  elseif (! any (strcmp (scene.ends, "clamped")))
+    scene_error ("rotation is given and no end is \"clamped\": a hub holds an end, ends = {\"clamped\", \"free\"} say");
+  elseif (strcmp (scene.initial.from, "equilibrium") && any (scene.rotation (0)(2:3)))
+    scene_error ("initial is \"equilibrium\" and the rotation has a rate at t = 0: it takes one that begins from rest");
+  endif
 endfunction
 
 function check_value (name, value, kind)

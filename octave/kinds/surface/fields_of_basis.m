@@ -1,11 +1,12 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{fields} =} fields_of_basis (@var{base}, @var{z}, @var{z_dot}, @var{z_ddot})
+## @deftypefn {} {@var{fields} =} fields_of_basis (@var{base}, @var{z}, @var{z_dot}, @var{z_ddot}, @var{turn})
 ## What the surface's generated functions take of the rod's place: the chart's coordinates alpha1 and alpha2, their
 ## slopes _1, second derivatives _11, rates _dot, second rates _ddot, the slopes of the rates and of the second rates,
-## the second derivatives of the rates, and the undeformed rod's curvature kappa, where the @var{base} (see @code{surface_basis}) has its stations: a row a station, a column a time.
+## the second derivatives of the rates, and the undeformed rod's curvature kappa, where the @var{base} (see @code{surface_basis}) has its stations: a row a station, a column a time.  Where there is a
+## @var{turn}, the base is one of a chart that turns so (see @code{turned_fields}).
 ## @end deftypefn
 
-function fields = fields_of_basis (b, z, z_dot, z_ddot)
+function fields = fields_of_basis (b, z, z_dot, z_ddot, turn = [])
   fields.alpha1 = b.start_values{1} + b.values{1}*z;
   fields.alpha2 = b.start_values{2} + b.values{2}*z;
   fields.alpha1_1 = b.start_slopes{1} + b.slopes{1}*z;
@@ -23,6 +24,11 @@ function fields = fields_of_basis (b, z, z_dot, z_ddot)
   fields.alpha1_1_ddot = b.slopes{1}*z_ddot;
   fields.alpha2_1_ddot = b.slopes{2}*z_ddot;
   fields.kappa = repmat (b.kappa, 1, columns (z));
+  if (! isempty (turn))
+    fields.alpha1_11_ddot = b.seconds{1}*z_ddot;
+    fields.alpha2_11_ddot = b.seconds{2}*z_ddot;
+    fields = turned_fields (fields, turn);
+  endif
 endfunction
 
 %!test # the start, and what one coordinate adds

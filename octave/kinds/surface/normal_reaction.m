@@ -1,12 +1,13 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{reaction} =} normal_reaction (@var{system}, @var{z}, @var{z_dot})
+## @deftypefn {} {@var{reaction} =} normal_reaction (@var{system}, @var{t}, @var{z}, @var{z_dot})
 ## What the surface does to the rod of @code{surface_rod}: force per length along the normal (N/m, positive where it
-## pushes to the normal's side) at the quadrature's points (p-by-m, at m states).  Derivatives along the rod are those
+## pushes to the normal's side) at the quadrature's points (p-by-m, at the m
+## times @var{t} and states).  Derivatives along the rod are those
 ## of the polynomials through these points' values.
 ## @end deftypefn
 
-function reaction = normal_reaction (system, z, z_dot)
-  fields = system.fields (z, z_dot, z_dot, system.points);
+function reaction = normal_reaction (system, t, z, z_dot)
+  fields = system.fields (t, z, z_dot, z_dot, system.points);
   [parts{1:3}] = system.surface.reaction (fields, system.rod, system.gravity);
   p = rows (parts{1});
   degree = p - 4;  # a little below interpolation, against rounding
@@ -22,9 +23,9 @@ endfunction
 %! system = surface_rod (check_surface_scene (scene));
 %! n = system.n;
 %! z = zeros (n, 1);
-%! assert (normal_reaction (system, z, z), 1.5*9.81*ones (rows (system.points), 1), 1e-8);
+%! assert (normal_reaction (system, 0, z, z), 1.5*9.81*ones (rows (system.points), 1), 1e-8);
 %! v = system.initial_state(n+1:2*n);
-%! assert (normal_reaction (system, z, v), 1.5*(9.81 + 9)*ones (rows (system.points), 1), 1e-8);
+%! assert (normal_reaction (system, 0, z, v), 1.5*(9.81 + 9)*ones (rows (system.points), 1), 1e-8);
 %!function slopes = legendre_slopes (n, xi)
 %!  [~, slopes] = legendre_functions (n, xi, 1);
 %!endfunction
@@ -37,7 +38,7 @@ endfunction
 %! scene = check_surface_scene (scene);
 %! system = surface_rod (scene);
 %! z = equilibrium (surface_at_rest (scene, system), 0);
-%! f = system.fields (z, z, z, system.points);
+%! f = system.fields (0, z, z, z, system.points);
 %! [f.alpha1_dot, f.alpha2_dot] = deal (0*f.alpha1_dot);
 %! [~, ~, n_3] = system.surface.normal (f);
 %! [parts{1:3}] = system.surface.reaction (f, system.rod, system.gravity);
@@ -46,5 +47,5 @@ endfunction
 %! at = @(base, value) base*(fit \ value);
 %! held = at (ends, parts{2} - at (legendre_slopes (30, system.points), parts{3})).*at (ends, n_3) ...
 %!        + at (ends, parts{3}).*at (slopes, n_3);
-%! r = normal_reaction (system, z, 0*z);
+%! r = normal_reaction (system, 0, z, 0*z);
 %! assert (system.weights.'*(r.*n_3) + held(2) - held(1), 1.5*9.81, 1e-4);

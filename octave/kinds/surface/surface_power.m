@@ -1,17 +1,24 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{power} =} surface_power (@var{system}, @var{t}, @var{z}, @var{z_dot})
-## What the loads on a rod on a surface (see @code{surface_rod}) do, and what dampers and the material dissipate, at
+## @deftypefn {} {@var{power} =} surface_power (@var{system}, @var{t}, @var{z}, @var{z_dot}, @var{z_ddot})
+## What the loads on a rod on a surface (see @code{surface_rod}), and a hub that turns it, do, and what dampers and the material dissipate, at
 ## the m times @var{t} and states: 2-by-m, W.
 ## @end deftypefn
 
-function power = surface_power (system, t, z, z_dot)
-  dissipated = springs_on_surface (system, z, z_dot).dissipated + zeros (1, columns (z));
+function power = surface_power (system, t, z, z_dot, z_ddot)
+  turn = system.turn (t, z);
+  dissipated = springs_on_surface (system, t, z, z_dot).dissipated + zeros (1, columns (z));
   rod = system.parts(1);
   if (rod.rod.damping > 0)
-    [~, ~, ~, ~, ~, ~, density] = system.surface.damping (fields_of_basis (rod.base, z, z_dot, z_dot), rod.rod);
+    fields = fields_of_basis (rod.base, z, z_dot, z_dot, turn);
+    [~, ~, ~, ~, ~, ~, density] = system.surface.damping (fields, rod.rod);
     dissipated += rod.weights.'*density;
   endif
-  power = [sum(z_dot.*loads_on_surface (system, t, z), 1); dissipated];
+  [loads, torque] = loads_on_surface (system, t, z);
+  power = [sum(z_dot.*loads, 1); dissipated];
+  if (! isempty (turn))
+    [~, of_hub] = surface_residual (system, t, z, z_dot, z_ddot);
+    power(1,:) += turn(2,:).*(torque + of_hub);
+  endif
 endfunction
 
 %!function scene = on_level_plane (varargin)   # hinged at the origin, along the first axis
@@ -25,6 +32,6 @@ endfunction
 %! system = surface_rod (check_surface_scene (setfield (scene, "rod", "damping", 0.1)));
 %! spin = system.place.basis.'*[0 0 0 1 1 0].';  # at 1 rad/s
 %! still = zeros (system.n, 1);
-%! assert (surface_power (system, [0 1], [still still], [spin 2*spin]), [1.5 3; 0.5 2], 1e-12);
+%! assert (surface_power (system, [0 1], [still still], [spin 2*spin], [still still]), [1.5 3; 0.5 2], 1e-12);
 %! stretch = system.place.basis.'*[1 1 0 0 0 0].';  # by 1/s
-%! assert (surface_power (system, 0, still, stretch), [0; 0.1*30*2], 1e-12);
+%! assert (surface_power (system, 0, still, stretch, still), [0; 0.1*30*2], 1e-12);

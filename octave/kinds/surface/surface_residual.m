@@ -1,17 +1,21 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{R} =} surface_residual (@var{system}, @var{t}, @var{z}, @var{z_dot}, @var{z_ddot})
+## @deftypefn {} {[@var{R}, @var{torque}] =} surface_residual (@var{system}, @var{t}, @var{z}, @var{z_dot}, @var{z_ddot})
 ## Mass times acceleration less all forces on a rod on a surface (see @code{surface_rod}), in its coordinates:
-## n-by-m, at the m times @var{t} and states.
+## n-by-m, at the m times @var{t} and states; of a rod in a hub also the @var{torque} (1-by-m, N m) that turns it.
 ## @end deftypefn
 
-function R = surface_residual (system, t, z, z_dot, z_ddot)
-  R = -loads_on_surface (system, t, z) - springs_on_surface (system, z, z_dot).forces;
+function [R, torque] = surface_residual (system, t, z, z_dot, z_ddot)
+  turn = system.turn (t, z);
+  [R, torque] = loads_on_surface (system, t, z);
+  springs = springs_on_surface (system, t, z, z_dot);
+  R = -R - springs.forces;
+  torque = -torque - springs.torque;
   for part = system.parts
-    b = part.base;
-    w = part.weights;
-    d = densities_of (system.surface, fields_of_basis (b, z, z_dot, z_ddot), part.rod, system.gravity);
-    R += b.values{1}.'*(w.*d{1}) + b.values{2}.'*(w.*d{2}) + b.slopes{1}.'*(w.*d{3}) + b.slopes{2}.'*(w.*d{4}) ...
-         + b.seconds{1}.'*(w.*d{5}) + b.seconds{2}.'*(w.*d{6});
+    fields = fields_of_basis (part.base, z, z_dot, z_ddot, turn);
+    d = densities_of (system.surface, fields, part.rod, system.gravity);
+    [Q, about] = work_on_base (part.base, part.weights, d, fields, turn);
+    R += Q;
+    torque += about;
   endfor
 endfunction
 
@@ -51,8 +55,8 @@ endfunction
 %! system = surface_rod (check_surface_scene (setfield (scene, "solver", "tolerance", 1e-12)));
 %! still = zeros (system.n, 1);
 %! assert (surface_residual (system, 0, still, still, still), still, 1e-7);
-%! assert (system.energies (still, still)(2), 0, 1e-9);
+%! assert (system.energies (0, still, still)(2), 0, 1e-9);
 %! scene.rod.curvature = 0;
 %! scene.initial.shape = @(xi) [sin(0.4*xi); 1 - cos(0.4*xi)]/0.4;
 %! system = surface_rod (check_surface_scene (setfield (scene, "solver", "tolerance", 1e-12)));
-%! assert (system.energies (still, still)(2), 1*0.4^2/2*2, 1e-6);
+%! assert (system.energies (0, still, still)(2), 1*0.4^2/2*2, 1e-6);

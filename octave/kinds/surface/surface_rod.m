@@ -5,10 +5,11 @@
 ## the loads, what is dissipated.
 ##
 ## Fields: n coordinates, numbers (of polynomials, modes, and sines), initial_state, place (see @code{place_rod}),
-## residual (t, z, z_dot, z_ddot; see @code{surface_residual}), power (t, z, z_dot; see @code{surface_power}),
-## mass_matrix (z), tangent_stiffness and tangent_damping (t, z, z_dot, z_ddot; n-by-n-by-m), damped, rate, energies (z,
-## z_dot; see @code{surface_energies}), refuse_singular (z, when), size (z), the largest displacement (m) that goes with a
-## small change of z, fields (z, z_dot, z_ddot, stations) = place, as the surface's functions take it, at stations of
+## residual (t, z, z_dot, z_ddot; see @code{surface_residual}), power (t, z, z_dot, z_ddot; see @code{surface_power}),
+## mass_matrix (z), tangent_stiffness and tangent_damping (t, z, z_dot, z_ddot; n-by-n-by-m), damped, rate, energies (t,
+## z, z_dot; see @code{surface_energies}), refuse_singular (z, when), size (z), the largest displacement (m) that goes with a
+## small change of z, turn (t, z) of a hub (3-by-m; see @code{turned_fields}),
+## fields (t, z, z_dot, z_ddot, stations) = place, as the surface's functions take it, at stations of
 ## the rod, surface, rod and gravity (likewise), points and weights (p-by-1, m, of the quadrature), parts (what has mass:
 ## base, weights and rod of the rod and of a tip mass, a rod at one place without stiffness), loads and springs (see
 ## @code{held_on_surface}), breaks, state_scale, mass, stiffness (linear about the start), energy_floor (J), forms, auto, duration.
@@ -36,17 +37,19 @@ function system = surface_rod (scene)
   endif
   [system.loads, system.springs] = held_on_surface (scene, base_at);
   system.damped = any ([r.damping; system.springs.damping] > 0);
-  system.fields = @(z, z_dot, z_ddot, stations) fields_of_basis (base_at (stations), z, z_dot, z_ddot);
+  system.turn = turning_of (scene);
+  system.fields = @(t, z, z_dot, z_ddot, stations) fields_of_basis (base_at (stations), z, z_dot, z_ddot, ...
+                                                                    system.turn (t, z));
   system.residual = @(t, z, z_dot, z_ddot) surface_residual (system, t, z, z_dot, z_ddot);
-  system.power = @(t, z, z_dot) surface_power (system, t, z, z_dot);
+  system.power = @(t, z, z_dot, z_ddot) surface_power (system, t, z, z_dot, z_ddot);
   system.mass_matrix = @(z) surface_mass (system, z);
   system.rate = @(t, y, interval) rate (t, y, interval, system);
-  system.energies = @(z, z_dot) surface_energies (system, z, z_dot);
+  system.energies = @(t, z, z_dot) surface_energies (system, t, z, z_dot);
   system.energy_floor = energy_floor (rod_moment_of_inertia (r.length, r.rhoA, 0), scene.duration);
   system.tangent_stiffness = @(varargin) tangent_stiffness (system, varargin{:});
   system.tangent_damping = @(varargin) tangent_damping (system, varargin{:});
   everywhere = linspace (0, r.length, 501).';
-  system.refuse_singular = @(z, when) refuse_singular (surface, system.fields (z, z, z, everywhere), when);
+  system.refuse_singular = @(z, when) refuse_singular (surface, system.fields (0, z, z, z, everywhere), when);
   start = zeros (system.n, 1);
   velocity = system.place.basis.'*system.place.velocity;
   system.refuse_singular (start, "at the start");
@@ -82,7 +85,16 @@ function y_dot = rate (t, y, interval, system)
   for k = 1:columns (y)
     z_ddot(:,k) = -(M(:,:,k) \ R(:,k));
   endfor
-  y_dot = [z_dot; z_ddot; system.power(t, z, z_dot)];
+  y_dot = [z_dot; z_ddot; system.power(t, z, z_dot, z_ddot)];
+endfunction
+
+## angle and rates of a chart that turns, 3-by-m; empty where none does
+function turn = turning_of (scene)
+  turn = @(t, z) [];
+  if (! isempty (scene.rotation))
+    rotation = watched_load ("rotation", scene.rotation);
+    turn = @(t, z) repmat (at_times (rotation, t), 1, columns (z)/numel (t));
+  endif
 endfunction
 
 function scale = lengths_per_coordinate (surface, fields)
@@ -91,7 +103,7 @@ function scale = lengths_per_coordinate (surface, fields)
 endfunction
 
 function refuse_no_direction (system, z)
-  [~, apart] = springs_on_surface (system, z, z);
+  [~, apart] = springs_on_surface (system, 0, z, z);
   k = find (apart <= 1e-9*system.rod.length, 1);
   if (! isempty (k))
     scene_error ("%s: its point is on the rod at the start, so that its force has no direction: take another place", ...
@@ -117,10 +129,28 @@ endfunction
 %! system = surface_rod (pendulum ());
 %! [z, z_dot, z_ddot] = deal (0.1*rand (system.n, 1), rand (system.n, 1), rand (system.n, 1));
 %! h = 1e-5;
-%! E = @(s) sum (surface_energies (system, z + s*z_dot + s^2/2*z_ddot, z_dot + s*z_ddot)(1:3,:), 1);
+%! E = @(s) sum (surface_energies (system, 0, z + s*z_dot + s^2/2*z_ddot, z_dot + s*z_ddot)(1:3,:), 1);
 %! rate = (8*(E (h) - E (-h)) - (E (2*h) - E (-2*h)))/(12*h);
-%! power = z_dot.'*system.residual (0, z, z_dot, z_ddot) + [1 -1]*system.power (0, z, z_dot);
+%! power = z_dot.'*system.residual (0, z, z_dot, z_ddot) + [1 -1]*system.power (0, z, z_dot, z_ddot);
 %! assert (power, rate, 1e-7*abs (rate));
+%!test # and of a rod in a hub, what that does beside: on a plane, and on a sphere
+%! for surface = {struct("name", "plane", "inclination", 0.7), struct("name", "sphere", "radius", 2)}
+%!   scene = struct ("surface", surface{1}, "duration", 1, "ends", {{"clamped", "free"}}, "tip_mass", 0.3, ...
+%!                   "model", struct ("modes", [4 5]), "force", [1 2 3], "rotation", @(t) [0.3*t^2 + t, 0.6*t + 1, 0.6]);
+%!   scene.rod = struct ("length", 1, "EA", 100, "EI", 0.1, "GJ", 0.3, "rhoA", 2, "rhoI", 0.4, "damping", 0.2);
+%!   scene.joints = {struct("kind", "spring", "stations", 0.6, "point", [1 2 3], "stiffness", 5, "damping", 1)};
+%!   system = surface_rod (check_surface_scene (scene));
+%!   rand ("seed", 1);
+%!   [z, z_dot, z_ddot] = deal (0.1*rand (system.n, 1), rand (system.n, 1), rand (system.n, 1));
+%!   h = 1e-4;
+%!   E = @(s) sum (surface_energies (system, 0.5 + s, z + s*z_dot + s^2/2*z_ddot, z_dot + s*z_ddot)(1:3,:), 1);
+%!   rate = (8*(E (h) - E (-h)) - (E (2*h) - E (-2*h)))/(12*h);
+%!   power = z_dot.'*system.residual (0.5, z, z_dot, z_ddot) + [1 -1]*system.power (0.5, z, z_dot, z_ddot);
+%!   assert (power, rate, 1e-7*abs (rate));
+%!   e = full (eye (system.n));
+%!   M = system.residual (0.5, repmat (z, 1, system.n), 0*e, e) - system.residual (0.5, z, 0*z, 0*z);
+%!   assert (system.mass_matrix (z), M, 1e-9);
+%! endfor
 %!test # the work may be off by what weight and bending do over so many metres
 %! system = surface_rod (pendulum ());
 %! assert (system.state_scale(end-1:end), (2*1*9.81 + 0.7*9.81 + 0.1/1^2)*[1; 1], 1e-12);
@@ -150,7 +180,7 @@ endfunction
 %! [z, z_dot] = deal (y(1:system.n), y(system.n+1:end-2));
 %! y_dot = system.rate (0.1, y, [0 1]);
 %! assert (system.residual (0.1, z, z_dot, y_dot(system.n+1:end-2)), zeros (system.n, 1), 1e-9);
-%! assert (y_dot(1:system.n), z_dot); assert (y_dot(end-1:end), system.power (0.1, z, z_dot), 1e-12);
+%! assert (y_dot(1:system.n), z_dot); assert (y_dot(end-1:end), system.power (0.1, z, z_dot, z_dot), 1e-12);
 %! scene = pendulum ();
 %! scene.force = @(t) [t 0 0];
 %! system = surface_rod (scene);

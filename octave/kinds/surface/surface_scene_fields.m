@@ -6,8 +6,9 @@
 ## Loads are a moment at the rod's start and one at its end, about the surface's normal, and a force, fixed in space, at
 ## its end or at force_station; joints are more of them, and springs from places in space (see @code{joint_kinds}:
 ## forces and points have three numbers).  The section is a rectangle of width along the surface's normal by twice
-## half_height, of a material, or what EA, EI, rhoA state, with EI_normal (EI), GJ (0), rhoI (0).  Rotary inertia rhoI,
-## per length, is that about the surface's normal; damping is Kelvin's and Voigt's time.  The rod starts undeformed, a
+## half_height, of a material, or what EA, EI, rhoA state, with EI_normal (EI), GJ (0), rhoI (0).  The rotation of a
+## hub turns the chart of the rod, with its clamped end, about the chart's origin: on a plane, about its normal, and on a
+## sphere, about the vertical axis.  Rotary inertia rhoI, per length, is that about the surface's normal; damping is Kelvin's and Voigt's time.  The rod starts undeformed, a
 ## straight one on a geodesic, one with curvature bent in the tangent plane, from initial.point at initial.angle from
 ## the chart's first direction to its second, unless initial.shape gives its place.  The first of the ends is that of xi = 0.  On a surface with a side the rod lies on that side of it
 ## (1: where the normal points, -1: the other), 0: it cannot leave it.  The chart's coordinates along the rod are
@@ -39,6 +40,7 @@ function fields = surface_scene_fields ()
     "tip_moment",          0,                  "number or function of t in N m"
     "force",               [0 0 0],            "three numbers or function of t in N"
     "force_station",       [],                 "nonnegative number in m"
+    "rotation",            [],                 "function of t that returns [theta theta_dot theta_ddot]"
     "joints",              {},                 "struct array, or cell array of structs"
     "moment_breaks",       [],                 "vector of times in s"
     "initial.from",        "",               "text"

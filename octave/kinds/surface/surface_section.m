@@ -10,7 +10,7 @@
 ## @end deftypefn
 
 function along = surface_section (system, z, stations)
-  at = @(stations) system.fields (z, 0*z, 0*z, stations);
+  at = @(stations) system.fields (0, z, 0*z, 0*z, stations);
   along = struct ("N", [], "Q", [], "M", []);
   [along.N, along.M, along.M_normal, along.torque, moment_coupling, stretch] = system.surface.section (
     at (stations), system.rod);
@@ -29,7 +29,7 @@ endfunction
 %! z = equilibrium (surface_at_rest (scene, system), 0);
 %! xi = linspace (0, 1, 11).';
 %! along = surface_section (system, z, xi);
-%! f = system.fields (z, z, z, xi);
+%! f = system.fields (0, z, z, z, xi);
 %! angle = atan2 (f.alpha2_1, f.alpha1_1);
 %! assert (along.N, cos (angle) + 2*sin (angle), 1e-4);
 %! assert (along.Q, 2*cos (angle) - sin (angle), 1e-4);

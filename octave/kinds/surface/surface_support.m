@@ -1,21 +1,25 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{R} =} surface_support (@var{system}, @var{times}, @var{states})
+## @deftypefn {} {[@var{R}, @var{torque}] =} surface_support (@var{system}, @var{times}, @var{states})
 ## The force (3-by-m, N) of all that holds the rod of @code{surface_rod}, the surface and its ends together, at the
-## @var{times} (1-by-m): what moves its mass, less its weight, the loads and the springs.  It is the resultant of
+## @var{times} (1-by-m): what moves its mass, less its weight, the loads and the springs; and the @var{torque}
+## (1-by-m, N m) of a hub that turns it.  It is the resultant of
 ## @code{normal_reaction} where the ends are free and bending asks for no couple about the rod, which the surface can
 ## only give by a force along itself.  It is as exact as the accelerations are (see @code{reaction_at_O}).
 ## @end deftypefn
 
-function R = surface_support (system, times, states)
+function [R, torque] = surface_support (system, times, states)
   n = system.n;
   z_ddot = system.rate (times, states, [0, system.duration])(n+1:2*n,:);
   [z, z_dot] = deal (states(1:n,:), states(n+1:2*n,:));
-  [~, force] = loads_on_surface (system, times, z);
-  R = -force - springs_on_surface (system, z, z_dot).force;
+  [~, ~, force] = loads_on_surface (system, times, z);
+  R = -force - springs_on_surface (system, times, z, z_dot).force;
+  turn = system.turn (times, z);
   for part = system.parts
-    [density{1:3}] = system.surface.support (fields_of_basis (part.base, z, z_dot, z_ddot), part.rod, system.gravity);
+    [density{1:3}] = system.surface.support (fields_of_basis (part.base, z, z_dot, z_ddot, turn), part.rod, ...
+                                               system.gravity);
     R += cell2mat (cellfun (@(d) part.weights.'*d, density.', "uniformoutput", false));
   endfor
+  [~, torque] = system.residual (times, z, z_dot, z_ddot);
 endfunction
 
 %!test # a hinged rod that turns steadily on the level plane, as stretched as that holds it: all three forces
@@ -33,6 +37,6 @@ endfunction
 %! result = driver (setfield (scene, "rod", "EI", 1e-4), "output", "", "modes", [10 10], "tolerance", 1e-6);
 %! [system, history] = deal (result.model, result.history);
 %! z = system.place.basis.'*(history.q - system.place.start);
-%! [n{1:3}] = system.surface.normal (system.fields (z, z, z, system.points));
+%! [n{1:3}] = system.surface.normal (system.fields (0, z, z, z, system.points));
 %! resultant = cell2mat (cellfun (@(n) system.weights.'*(n.*history.reaction), n.', "uniformoutput", false));
 %! assert (history.support, resultant, 1e-4*norm (resultant(:,1)));

@@ -1,0 +1,95 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{plane}, @var{lacks}] =} exact_scene (@var{scene})
+## The geometrically exact rod of a checked scene of one straight rod: a scene of a rod on the upright plane (see
+## @code{surface_scene_fields}), with the same points, loads and times.  Where it has not what the scene has, @var{plane}
+## is empty, and @var{lacks} (a text) says what.
+## @end deftypefn
+
+function [plane, lacks] = exact_scene (scene)
+  plane = [];
+  lacks = what_it_lacks (scene);
+  if (! isempty (lacks))
+    return;
+  endif
+  section = rod_section (scene.rod, scene.model);
+  plane = struct ("title", scene.title, "gravity", scene.gravity, "moment", scene.moment, "tip_mass", scene.tip_mass, ...
+                  "moment_breaks", scene.moment_breaks, "duration", scene.duration, ...
+                  "frames_per_second", scene.frames_per_second, "frame_size", scene.frame_size, ...
+                  "ends", {{"hinge", "free"}});
+  plane.surface = struct ("name", "plane", "inclination", pi/2, "side", 0);
+  plane.view = struct ("elevation", 0, "azimuth", 0);
+  plane.rod = struct ("length", scene.rod.length, "EA", section.EA, "EI", section.EI, "rhoA", section.rhoA, ...
+                      "rhoI", section.rhoI, "damping", scene.rod.damping);
+  plane.initial.angle = scene.initial.phi;
+  if (! isempty (scene.rotation))
+    plane.rotation = scene.rotation;
+    plane.ends = {"clamped", "free"};
+  else
+    plane.initial.velocity = @(xi, alpha) scene.initial.phi_dot*[-alpha(2,:); alpha(1,:)];
+  endif
+  if (! isempty (scene.force))
+    plane.force = @(t) upright (scene.force (t));
+    plane.force_station = scene.force_station;
+  endif
+  plane.joints = arrayfun (@on_plane, scene.joints(:).', "uniformoutput", false);
+  plane.solver = struct ("name", scene.solver.name, "tolerance", scene.solver.tolerance);
+  if (! isempty (scene.solver.step))
+    plane.solver.step = scene.solver.step;
+  endif
+endfunction
+
+function what = what_it_lacks (scene)
+  what = "";
+  initial = rmfield (scene.initial, {"phi", "phi_dot", "from"});
+  if (! isempty (scene.rod.curvature))
+    what = "a curved axis as a hinged rod has it";
+  elseif (any (cellfun (@(V) any (V), struct2cell (initial))) || ! isempty (scene.initial.from))
+    what = "a start that is deformed, or another run's end";
+  elseif (! all (ismember ({scene.joints.kind}, {"spring", "force", "moment"})))
+    what = "joints but springs, forces and moments";
+  elseif (! any (strcmp (scene.solver.name, {"auto", integrator_table({"rate", "residual"}).name})))
+    what = sprintf ("the solver %s", scene.solver.name);
+  endif
+endfunction
+
+function joint = on_plane (joint)
+  joint = struct ("name", joint.name, "kind", joint.kind, "stations", joint.stations(1), "value", joint.value, ...
+                  "point", upright (joint.point), "stiffness", joint.stiffness, "damping", joint.damping, ...
+                  "rest", joint.rest);
+  if (strcmp (joint.kind, "force"))
+    value = joint.value;
+    joint.value = @(t) upright (value (t));
+  endif
+endfunction
+
+function vector = upright (vector)
+  vector = [vector(1), 0, vector(2)];
+endfunction
+
+%!function off = against_modes (varargin)   # of a stiff rod with everything that both have
+%!  scene = struct ("duration", 0.2, "frames_per_second", 50, "tip_mass", 0.1, "force", @(t) [1, -2]*sin (9*t), ...
+%!                  "force_station", 0.3, varargin{:});
+%!  scene.rod = struct ("length", 0.5, "EA", 1e6, "EI", 80, "rhoA", 0.5, "damping", 1e-4);
+%!  scene.model.energy = "uniaxial";
+%!  scene.joints = {struct("kind", "spring", "stations", 0.4, "point", [0.2 0.3], "stiffness", 30, "damping", 0.4, ...
+%!                         "rest", 0.1)
+%!                  struct("kind", "moment", "stations", 0.5, "value", @(t) 0.2*t)
+%!                  struct("kind", "force", "stations", 0.25, "value", [0 0.5])};
+%!  scene.solver.tolerance = 1e-6;
+%!  scene = check_scene (scene);
+%!  rung = struct ("sines", [], "bending", 10, "longitudinal", 4, "axial", "dynamic", "stiffening", "foreshortening");
+%!  run = run_model (rod_kind (), scene, build_model (scene, rung));
+%!  off = [distance(exact_rod (scene, 8), run), max(abs (run.history.q(:)))];
+%!endfunction
+%!test # a rod that hardly bends moves as its modes have it: on a hinge, under all loads
+%! off = against_modes ("moment", @(t) 0.3*(t < 0.1), "initial", struct ("phi", -0.4, "phi_dot", 2));
+%! assert (off(1) < 4e-6); assert (off(2) > 4e-4);
+%!test # and in a hub
+%! off = against_modes ("rotation", @(t) [3*t + 4*t^2, 3 + 8*t, 8]);
+%! assert (off(1) < 4e-6); assert (off(2) > 4e-4);
+%!test # what it has not
+%! [plane, lacks] = exact_scene (check_scene (setfield (swing (), "initial", "V2", 0.01)));
+%! assert (plane, []); assert (! isempty (strfind (lacks, "deformed")));
+%! scene = setfield (swing (), "joints", {struct("kind", "torsion_spring", "stations", 0, "stiffness", 1)});
+%! [~, lacks] = exact_scene (check_scene (scene));
+%! assert (! isempty (strfind (lacks, "joints but springs")));
