@@ -31,11 +31,10 @@ function [model, scene, output] = linear_model (scene = "paper", varargin)
 endfunction
 
 function [wanted, options] = wanted_outputs (options)
+  [options, taken] = without_options (options, "outputs");
   wanted = {};
-  at = find (strcmp (options(1:2:end), "outputs"), 1);
-  if (! isempty (at))
-    wanted = cellstr (options{2*at});
-    options([2*at - 1; 2*at]) = [];
+  if (! isempty (taken))
+    wanted = cellstr (taken{end});
   endif
 endfunction
 

@@ -7,13 +7,12 @@
 
 function [value, options] = taken_option (options, name, default, is_good, takes)
   value = default;
-  at = find (strcmp (options(1:2:end), name));
-  if (! isempty (at) && numel (options) >= 2*at(end))
-    value = options{2*at(end)};
+  [options, taken] = without_options (options, name);
+  if (! isempty (taken))
+    value = taken{end};
     if (! (isnumeric (value) && ! isempty (value) && is_good (value)))
       scene_error ("%s is %s: it takes %s", name, strtrim (disp (value)), takes);
     endif
-    options([2*at - 1; 2*at]) = [];
   endif
 endfunction
 

@@ -24,10 +24,8 @@ function plan = plan_sweep (which, options)
   plan.pictures = output.pictures;
   plan.items = read_observe (settings.observe);
   [plan.columns, plan.values] = sweep_table (settings);
-  names = options(1:2:end);
-  is_output = ismember (names, {"output", "pictures"});
-  plan.options = sorted_pairs (options(reshape ([! is_output; ! is_output], 1, [])));
-  plan.drawn = output.pictures && any (strcmp (names, "pictures"));
+  plan.options = sorted_pairs (without_options (options, {"output", "pictures"}));
+  plan.drawn = output.pictures && any (strcmp (options(1:2:end), "pictures"));
   plan.studied = any (ismember ({plan.items.part}, {"modes", "statics"}));
   plan.about = struct ("program", program_key (plan.studied), "scene", hash ("sha256", fileread (plan.file))(1:16), ...
                        "options", repeat_command (plan.typed, plan.options), ...
@@ -39,12 +37,11 @@ endfunction
 
 ## a table in Octave has no words for a shell
 function call = call_of (typed, options)
-  at = find (strcmp (options(1:2:end), "table"));
-  if (isempty (at))
+  [others, table] = without_options (options, "table");
+  if (isempty (table))
     call = repeat_command (typed, options, "make sweep");
   else
-    options([2*at - 1; 2*at]) = [];
-    call = ["sweep (\"" typed "\", table" repeat_command(struct (), options)(numel ("driver (scene") + 1:end)];
+    call = ["sweep (\"" typed "\", table" repeat_command(struct (), others)(numel ("driver (scene") + 1:end)];
   endif
 endfunction
 

@@ -64,9 +64,7 @@ endfunction
 function command = typed (which, settings, options)
   command = "";
   if (! isempty (settings.at))
-    names = options(1:2:end);
-    kept = ! ismember (names, {"output", "pictures"});
-    options = [options(reshape ([kept; kept], 1, [])), {"at", settings.at, "observe", settings.observe}];
+    options = [without_options(options, {"output", "pictures"}), {"at", settings.at, "observe", settings.observe}];
     command = repeat_command (nthargout (3, @find_scene, which), options, "make point");
   endif
 endfunction

@@ -9,11 +9,10 @@ function [settings, options] = take_settings (options)
     scene_error ("sweep: options come as names and values, in pairs");
   endif
   fields = sweep_settings ();
-  names = options(1:2:end);
-  own = cellfun (@ischar, names) & ismember (cellfun (@char, names, "uniformoutput", false), fields(:,1));
+  [options, own] = without_options (options, fields(:,1));
   given = struct ();
-  for k = find (own)(:).'  # of 0-by-0 Octave 11 would go round once
-    given.(names{k}) = options{2*k};
+  for pair = own
+    given.(pair{1}) = pair{2};
   endfor
   settings = take_fields (given, fields, "a sweep");
   for name = {"random", "jobs", "seed"}
@@ -21,7 +20,6 @@ function [settings, options] = take_settings (options)
       scene_error ("%s is %g: it takes a whole number", name{1}, settings.(name{1}));
     endif
   endfor
-  options = options(reshape ([! own; ! own], 1, []));
 endfunction
 
 %!test
