@@ -22,7 +22,7 @@ function found = follow_sweep (plan, found, to_do, engine, jobs, publish)
   unwind_protect
     found = watch (plan, found, job.pid, publish, strcmp (engine, "slurm"));
     ended = true;
-    for k = find (! found.done & cellfun (@isempty, found.message))
+    for k = find (! found.done & ! have_failed (found))
       found.message{k} = ["its process ended and did not say why: " last_words(job.log)];
     endfor
   unwind_protect_cleanup
@@ -60,11 +60,11 @@ function found = watch (plan, found, pid, publish, is_queue)
 endfunction
 
 function n = counted (found)
-  n = sum (found.done) + sum (! cellfun (@isempty, found.message));
+  n = sum (found.done) + sum (have_failed (found));
 endfunction
 
 function text = sweep_progress (found, news, seconds)
-  failed = sum (! cellfun (@isempty, found.message));
+  failed = sum (have_failed (found));
   text = sprintf ("%d of %d points done, %d failed", sum (found.done), numel (found.done), failed);
   if (news > 0)
     left = numel (found.done) - sum (found.done) - failed;
@@ -82,7 +82,7 @@ endfunction
 
 %!function note_down (file, found)
 %!  id = fopen (file, "a");
-%!  fprintf (id, "%d\n", sum (found.done) + sum (! cellfun (@isempty, found.message)));
+%!  fprintf (id, "%d\n", sum (found.done) + sum (have_failed (found)));
 %!  fclose (id);
 %!endfunction
 %!function check (folder)

@@ -14,7 +14,7 @@ function found = gather_rows (plan, found)
     found.done(k) = true;
     found.message{k} = "";
   endfor
-  for k = find (cellfun (@isempty, found.message) & ismember (strcat (plan.keys, ".failed"), there.'))
+  for k = find (! have_failed (found) & ismember (strcat (plan.keys, ".failed"), there.'))
     found.message{k} = strtrim (fileread (fullfile (points, [plan.keys{k} ".failed"])));
   endfor
 endfunction

@@ -63,7 +63,7 @@ function found = run_sweep (plan, refused, scene, count)
 endfunction
 
 function tell_failures (plan, found)
-  failed = find (! cellfun (@isempty, found.message));
+  failed = find (have_failed (found));
   for k = failed(1:min (end, 10))
     say ("  point %d, %s: %s", k, point_words (plan.columns, plan.values(k,:)), found.message{k});
   endfor

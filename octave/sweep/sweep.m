@@ -34,7 +34,7 @@ function found = sweep (scene = "paper", varargin)
     return;
   endif
   result = run_sweep (plan, refused, checked, count);
-  failed = sum (! cellfun (@isempty, result.message));
+  failed = sum (have_failed (result));
   if (nargout > 0)
     found = result;
   elseif (failed > 0)

@@ -26,7 +26,7 @@ function write_sweep (plan, found, state, folder)
     write_text (fullfile (folder, "sensitivity.csv"), text);
   endif
 
-  failed = find (! cellfun (@isempty, found.message));
+  failed = find (have_failed (found));
   summary = struct ("scene", plan.typed, "columns", {plan.columns}, "observe", plan.about.observe, ...
                     "points", numel (plan.keys), "done", numel (done), "failed", numel (failed), ...
                     "missing", numel (plan.keys) - numel (done) - numel (failed), "failures", []);

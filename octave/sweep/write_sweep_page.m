@@ -24,7 +24,7 @@ function write_sweep_page (plan, found, state, pictures, folder)
 endfunction
 
 function text = state_text (found, state)
-  failed = sum (! cellfun (@isempty, found.message));
+  failed = sum (have_failed (found));
   done = sum (found.done);
   text = sprintf ("%d done, %d failed, %d missing; by %s, %g at a time; %.3g s by now.", done, failed, ...
                   numel (found.done) - done - failed, state.engine, state.jobs, state.seconds);
@@ -61,7 +61,7 @@ function html = points_table (plan, found, index)
   links = arrayfun (@(k) link_of (plan, found, k), index(:), "uniformoutput", false);
   observed = cellfun (@rounded, found.observed(index,:), "uniformoutput", false);
   heads = [{"point"}, plan.columns, strcat({plan.items.text}, plan.units), {"failed"}];
-  failed = find (! cellfun (@isempty, found.message(index)));
+  failed = find (have_failed (found)(index));
   html = html_table (heads, [links, values, observed, found.message(index).'], failed);
 endfunction
 
