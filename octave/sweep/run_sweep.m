@@ -27,13 +27,15 @@ function found = run_sweep (plan, refused, scene, count)
     [~, ~] = unlink (fullfile (points, [key{1} ".failed"]));
   endfor
   found = struct ("observed", {repmat({""}, numel (plan.keys), numel (plan.items))}, ...
-                  "done", false (1, numel (plan.keys)), "message", {refused});
+                  "done", false (1, numel (plan.keys)), "message", {refused}, ...
+                  "sensitivity", {cell(0, 7)});
   found = gather_rows (plan, found);
   publish (found, true);
   if (! isempty (to_do))
     found = follow_sweep (plan, found, to_do, engine, jobs, @publish);
   endif
   [found.columns, found.values] = deal (plan.columns, plan.values);
+  found.sensitivity = sweep_sensitivity (plan, found);
   tell_failures (plan, found);
   drawn = drawn_sweep (found, strcat ({plan.items.text}, plan.units));
   draw = @draw_sweep;
@@ -72,19 +74,24 @@ function tell_failures (plan, found)
   endif
 endfunction
 
-%!function check (folder)
-%!  count = 13;
-%!  plan = struct ("folder", folder, "typed", "x", "done", [true, false(1, count - 1)], "pictures", true, ...
-%!                 "drawn", false);
-%!  plan.keys = arrayfun (@(k) sprintf ("k%d", k), 1:count, "uniformoutput", false);
-%!  [plan.columns, plan.values, plan.items] = deal ({"a"}, num2cell ((1:count).'), struct ("text", "u"));
+%!function [found, said] = run_of (folder, rows, varargin)   # of 13 points, of which so many have left rows
+%!  plan = struct ("folder", folder, "typed", "x", "done", (1:13) <= rows, "pictures", true, "drawn", false);
+%!  plan.keys = arrayfun (@(k) sprintf ("k%d", k), 1:13, "uniformoutput", false);
+%!  [plan.columns, plan.values, plan.items] = deal ({"a"}, num2cell ((1:13).'), struct ("text", "u"));
 %!  plan.units = {" [m]"};
-%!  plan.settings = take_settings ({"engine", "make", "jobs", 1});
+%!  plan.settings = take_settings ({"engine", "make", "jobs", 1, varargin{:}});
 %!  plan.about = struct ("observe", "u"); [plan.name, plan.call] = deal ("x", "make sweep SCENE=x");
 %!  scene = struct ("title", "A rod", "duration", 1, "frames_per_second", 10, "frame_size", [1280 720]);
-%!  mkdir (fullfile (folder, "points")); write_text (fullfile (folder, "points", "k1.row"), "0.5\n");
-%!  said = evalc ("found = run_sweep (plan, [{''}, repmat({'no'}, 1, count - 1)], scene, 7);");
+%!  mkdir (fullfile (folder, "points"));
+%!  refused = repmat ({"no"}, 1, 13); refused(1:rows) = {""};
+%!  for k = 1:rows
+%!    write_text (fullfile (folder, "points", sprintf ("k%d.row", k)), sprintf ("%.1f\n", k/2));
+%!  endfor
+%!  said = evalc ("found = run_sweep (plan, refused, scene, 7);");
 %!  assert (found.done, plan.done); assert (found.values, plan.values); assert (found.columns, {"a"});
+%!endfunction
+%!function check (folder)
+%!  [~, said] = run_of (folder, 1);
 %!  lines = strsplit (strtrim (said), "\n");
 %!  assert (lines(2:3), {"  point 2, a=2: no", "  point 3, a=3: no"});
 %!  assert (lines(end-1:end), {"  and 2 more, in sweep.json", ...
@@ -95,3 +102,10 @@ endfunction
 %!  assert (! isempty (strfind (fileread (fullfile (folder, "sweep.html")), "<img src=\"sweep.svg\"")));
 %!endfunction
 %!test in_scratch (@(folder, scratch) check (folder));   # where nothing can be run
+%!function check_random (folder)
+%!  found = run_of (folder, 13, "vary", "a=1..13", "random", 13);
+%!  assert (found.sensitivity(1:3), {"u", "a", 13}); assert ([found.sensitivity{4:6}], [1 1 1], 1e-12);
+%!  assert (! isempty (strfind (fileread (fullfile (folder, "sensitivity.csv")), "\nu,a,13,1,1,1,")));
+%!  assert (! isempty (strfind (fileread (fullfile (folder, "sweep.html")), "<h2 id=\"sensitivity\">")));
+%!endfunction
+%!test in_scratch (@(folder, scratch) check_random (folder));   # of random points how much a field matters

@@ -13,8 +13,8 @@
 ## sweep.json.  The same call again runs what is missing or failed, and no more.  A point is known by its values, the
 ## scene's file, the options and the program's sources.
 ##
-## @var{found} is a struct of columns, values (a cell array, a row a point), observed (cellstr), done, and message,
-## what failed; without it a point that failed is an error at the end.
+## @var{found} is a struct of columns, values (a cell array, a row a point), observed (cellstr), done, message, what
+## failed, and sensitivity; without it a point that failed is an error at the end.
 ##
 ## @example
 ## sweep ("swing", "vary", "rod.length=0.2:0.1:1; solver.tolerance=1e-4,1e-5", "observe", "max|tip_y|, model")

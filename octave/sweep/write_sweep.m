@@ -2,8 +2,8 @@
 ## @deftypefn {} {} write_sweep (@var{plan}, @var{found}, @var{state}, @var{folder})
 ## What a sweep of a @var{plan} (see @code{plan_sweep}) has @var{found} by now (see @code{gather_rows}), in the
 ## @var{folder}: summary.csv, a row a point that is done, and sweep.json, what is done, failed and missing, with the
-## messages of those that failed and the fields of the struct @var{state}; and sensitivity.csv, where the points are
-## random (see @code{sweep_sensitivity}) and none is @code{state.running}.
+## messages of those that failed and the fields of the struct @var{state}; and sensitivity.csv, where
+## @var{found}.sensitivity has rows (see @code{sweep_sensitivity}).
 ## @end deftypefn
 
 function write_sweep (plan, found, state, folder)
@@ -15,10 +15,7 @@ function write_sweep (plan, found, state, folder)
   template = [repmat("%s,", 1, numel (heads) - 1), "%s\n"];
   write_text (fullfile (folder, "summary.csv"), [sprintf(template, heads{:}), sprintf(template, cells{:})]);
 
-  cells = cell (0, 7);
-  if (! state.running)
-    cells = sweep_sensitivity (plan, found).';
-  endif
+  cells = found.sensitivity.';
   if (! isempty (cells))
     cells(1,:) = cellfun (@csv_cell, cells(1,:), "uniformoutput", false);
     text = ["observation,field,points,standardised coefficient,R^2,first order index,standard error of it\n", ...
@@ -49,29 +46,27 @@ function text = csv_cell (text)
   endif
 endfunction
 
-%!function [csv, json, sensitivity] = written (folder, random = [], running = false)
-%!  values = {0.1 "x"; [0 4] "y"; 3 "z"; 4 "w"};
-%!  if (! isempty (random))
-%!    values = {0.1 2; 1 3; 3 4; 4 5};
-%!  endif
-%!  plan = struct ("typed", "swing", "columns", {{"a", "b"}}, "values", {values}, ...
+%!function [csv, json] = written (folder, sensitivity = cell (0, 7))
+%!  plan = struct ("typed", "swing", "columns", {{"a", "b"}}, "values", {{0.1 "x"; [0 4] "y"; 3 "z"; 4 "w"}}, ...
 %!                 "keys", {{"k", "l", "m", "n"}}, "units", {{" [m]", ""}}, "about", struct ());
 %!  plan.about.observe = "max u, model";
 %!  plan.items = struct ("text", {"max u", "model"});
 %!  found = struct ("observed", {{"0.5", "6, \"rigid\""; "1", ""; "", ""; "", ""}}, ...
-%!                  "done", [true true false false], "message", {{"", "", "it failed", ""}});
-%!  plan.settings = struct ("vary", "a=0..5; b=0..5", "random", random);
-%!  write_sweep (plan, found, struct ("jobs", 2, "running", running), folder);
+%!                  "done", [true true false false], "message", {{"", "", "it failed", ""}}, ...
+%!                  "sensitivity", {sensitivity});
+%!  write_sweep (plan, found, struct ("jobs", 2), folder);
 %!  csv = fileread (fullfile (folder, "summary.csv"));
 %!  json = jsondecode (fileread (fullfile (folder, "sweep.json")));
-%!  sensitivity = exist (fullfile (folder, "sensitivity.csv"), "file") > 0;
+%!  assert (exist (fullfile (folder, "sensitivity.csv"), "file") > 0, ! isempty (sensitivity));
+%!  if (! isempty (sensitivity))
+%!    csv = fileread (fullfile (folder, "sensitivity.csv"));
+%!  endif
 %!endfunction
 %!test
-%! [csv, json, sensitivity] = in_scratch (@(folder, scratch) written (folder));
-%! assert (sensitivity, false);
+%! [csv, json] = in_scratch (@(folder, scratch) written (folder));
 %! assert (csv, "point,a,b,max u [m],model,key\n1,0.1,x,0.5,\"6, \"\"rigid\"\"\",k\n2,0 4,y,1,,l\n");
 %! assert ([json.points, json.done, json.failed, json.missing, json.jobs], [4 2 1 1 2]);
 %! assert (json.failures, struct ("point", 3, "at", "a=3; b=z", "message", "it failed", "key", "m"));
-%!test # of random points, behind the last
-%! there = @(running) nthargout (3, @in_scratch, @(folder, scratch) written (folder, 4, running));
-%! assert ([there(true), there(false)], [false true]);
+%!test # of random points
+%! csv = in_scratch (@(folder, scratch) written (folder, {"max u, v", "a", 50, 0.25, 0.5, NaN, 0.01}));
+%! assert (strsplit (csv, "\n"){2}, "\"max u, v\",a,50,0.25,0.5,NaN,0.01");
