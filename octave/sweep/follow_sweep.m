@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{found} =} follow_sweep (@var{plan}, @var{found}, @var{to_do}, @var{engine}, @var{jobs}, @
 ##   @var{publish})
 ## Let an @var{engine} (see @code{engine_command}) run those points @var{to_do} of a @var{plan}, so many @var{jobs} at
-## a time, and @var{publish} (found, running) what there is at any time (see @code{gather_rows}); on a terminal a line
-## has how many points are done and failed, and the seconds left.  A point that leaves nothing has failed, too.
+## a time, and @var{publish} (found) what there is at any time (see @code{gather_rows}); on a terminal a line has how
+## many points are done and failed, and the seconds left.  A point that leaves nothing has failed, too.
 ## @end deftypefn
 
 function found = follow_sweep (plan, found, to_do, engine, jobs, publish)
@@ -50,7 +50,7 @@ function found = watch (plan, found, pid, publish, is_queue)
       before = counted (found);
       found = gather_rows (plan, found);
       if (counted (found) != before)
-        publish (found, true);
+        publish (found);
       endif
       show_progress (sweep_progress (found, counted (found) - begun, toc (start)));
       seconds = toc (look);
@@ -93,7 +93,7 @@ endfunction
 %!  plan.command = @(k) strrep (commands{k}, "points/", [points "/"]);
 %!  found = struct ("observed", {{"5"; ""; ""; ""}}, "done", [true false false false], "message", {{"", "", "", ""}});
 %!  note = fullfile (folder, "noted");
-%!  found = follow_sweep (plan, found, [2 3 4], "make", 1, @(found, running) note_down (note, found));
+%!  found = follow_sweep (plan, found, [2 3 4], "make", 1, @(found) note_down (note, found));
 %!  assert (found.done, [true true false false]); assert (found.observed, {"5"; "1"; ""; ""});
 %!  assert (found.message(1:3), {"", "", "no"});
 %!  assert (! isempty (regexp (found.message{4}, "^its process ended and did not say why: .")));

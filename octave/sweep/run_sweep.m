@@ -30,7 +30,7 @@ function found = run_sweep (plan, refused, scene, count)
                   "done", false (1, numel (plan.keys)), "message", {refused}, ...
                   "sensitivity", {cell(0, 7)});
   found = gather_rows (plan, found);
-  publish (found, true);
+  publish (found);
   if (! isempty (to_do))
     found = follow_sweep (plan, found, to_do, engine, jobs, @publish);
   endif
@@ -50,8 +50,8 @@ function found = run_sweep (plan, refused, scene, count)
                  @(aside) write_sweep_page (plan, found, state_of (false), {"sweep.svg"}, aside));
   endif
 
-  function publish (found, running)
-    publish_run (plan.folder, [numbers, pictures], @(aside) write (found, running, aside));
+  function publish (found)
+    publish_run (plan.folder, [numbers, pictures], @(aside) write (found, true, aside));
   endfunction
 
   function write (found, running, aside)
