@@ -18,6 +18,8 @@
 ## the mass matrix (n-by-n)
 ## @item size (step)
 ## the largest displacement (m) that goes with a small change of q, on rods of the length (m)
+## @item steps
+## changes of the coordinates that move a point by a ten-thousandth of the longest rod (n-by-1)
 ## @item shape (q)
 ## centrelines of k coordinates: a cell array, a body each, of [x y] (places-by-2-by-k, m)
 ## @item supports (t, q, lambda)
@@ -28,7 +30,7 @@
 ## @item accelerations (t, q, v)
 ## of a motion: [a, lambda], accelerations and multipliers
 ## @item moving (t, q, v, a, lambda)
-## forces less Phi_q' lambda and less inertia (n-by-k)
+## forces less Phi_q' lambda and less inertia (n-by-k), and the constraints
 ## @item jacobian (q)
 ## Phi_q (multipliers-by-n)
 ## @item most
@@ -44,11 +46,10 @@ function balance = mechanism_at_rest (scene, mechanism)
   balance.multipliers = system.constraint_count;
   balance.start = placed_bodies (scene, mechanism);
   balance.residual = @(t, q, v, lambda) residual (system, t, q, v, lambda);
-  balance.tangent = @(t, q, lambda) tangent (system, t, q, lambda);
-  balance.damping = @(t, q, lambda) -derivative (@(x) residual (system, t, q + 0*x, x, lambda), system)(1:system.n,:);
   balance.mass = @(q) full (mechanism_matrices (mechanism, rod_dynamics (mechanism, q, 0*q)));
   balance.size = @(step) max (abs (step)./system.q_scale);
   balance.length = max (cellfun (@(model) model.length, mechanism.models));
+  balance = with_derivatives (balance, 1e-4*balance.length*system.q_scale);
   balance.shape = @(q) shape (mechanism, q);
   balance.supports = @(t, q, lambda) supports (system, scene, t, q, lambda);
   balance.along = @(t, q, lambda) section_forces (system, scene, t, q, lambda);
@@ -67,9 +68,10 @@ function r = residual (system, t, q, v, lambda)
   r = [at.force - system.reaction(at, repmat (lambda, 1, columns (q))); at.constraints.residual];
 endfunction
 
-function f = moving (system, t, q, v, a, lambda)
+function [f, off] = moving (system, t, q, v, a, lambda)
   at = system.at (t.*ones (1, columns (q)), q, v);
   f = at.force - system.inertia (at, a) - system.reaction (at, repmat (lambda, 1, columns (q)));
+  off = at.constraints.residual;
 endfunction
 
 function J = jacobian_at (system, q)
@@ -86,17 +88,6 @@ function rows = supports (system, scene, t, q, lambda)
                    ["reaction_y of " name " [N]"], forces(j).reaction_y
                    ["torque of " name " [N m]"], forces(j).torque}];
   endfor
-endfunction
-
-function D = tangent (system, t, q, lambda)
-  D = derivative (@(x) residual (system, t, q + x, 0*x, lambda), system);
-  D(1:system.n,:) *= -1;
-endfunction
-
-## of a function of the coordinates or their rates: steps move a point by a ten-thousandth of the longest rod
-function D = derivative (f, system)
-  length = max (cellfun (@(model) model.length, system.mechanism.models));
-  D = difference_quotients (f, 1e-4*length*system.q_scale);
 endfunction
 
 function lines = shape (mechanism, q)

@@ -19,13 +19,9 @@ function turning = steady_mechanism (scene)
     endif
   endfor
   scene.gravity = 0;
-  kind = mechanism_kind ();
-  if (isempty (kind.stated (scene)))
-    mechanism = kind.sized (scene, max (3, floor (8/numel (scene.bodies))));
-  else
-    mechanism = build_mechanism (scene, mechanism_rungs (scene, 0*(1:numel (scene.bodies))));
-  endif
-  turning.about = @(speed, q) about (rotating_balance (scene, mechanism, speed, centre), speed, q);
+  mechanism = model_of (mechanism_kind (), scene, max (3, floor (8/numel (scene.bodies))));
+  balance = mechanism_at_rest (scene, mechanism);
+  turning.about = @(speed, q) about (rotating_balance (balance, speed, centre), speed, q);
 endfunction
 
 function [linear, q] = about (balance, speed, q)
