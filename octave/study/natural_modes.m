@@ -16,8 +16,7 @@
 
 function table = natural_modes (scene = "paper", varargin)
   [films, options] = taken_option (varargin, "film", [], @are_numbers, "numbers of modes, from 1 to 12");
-  [time, options] = taken_option (options, "time", [], @(t) isscalar (t) && isreal (t) && t >= 0, ...
-                                  "a time in s, not negative");
+  [time, options] = taken_time (options, []);
   if (isempty (time))
     [scene, kind, output] = study_scene (scene, options, @scene_at_rest);
     found = at_rest (kind, scene, 0, @(found) found.vibrations.omega(1:min (end, 12)));
