@@ -48,8 +48,7 @@ endfunction
 ## Newton's own step where all is held, also by a stiffness that is not symmetric; what nothing holds is moved by what
 ## accelerates it by more than 1e-9 m/s^2
 function y = fall (linear, force)
-  [modes, squares] = eig ((linear.K + linear.K.')/2, (linear.M + linear.M.')/2, "chol");
-  squares = diag (squares);
+  [modes, squares] = free_modes (linear.K, linear.M);
   least = max ([1e-13*abs(squares); 1e-12]);
   if (squares > least)
     y = linear.K \ force;

@@ -47,8 +47,8 @@ endfunction
 function H = responses (model, s)
   n = rows (model.A);
   p = rows (model.M);
-  [shape, squares] = eig ((model.K + model.K.')/2, (model.M + model.M.')/2, "chol");
-  omega = sqrt (abs (diag (squares)).');
+  [shape, squares] = free_modes (model.K, model.M);
+  omega = sqrt (abs (squares).');
   T = blkdiag (shape./max (omega, 1e-6*max (omega)), shape, eye (n - 2*p));
   [A, B, C] = deal (T \ model.A*T, T \ model.B, model.C_out*T);
   H = zeros (rows (C), columns (B), numel (s));
