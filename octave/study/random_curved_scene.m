@@ -11,20 +11,19 @@ function scene = random_curved_scene (seed)
 endfunction
 
 function scene = drawn_scene ()
-  between = @(low, high) low*(high/low)^rand ();
-  l = between (0.3, 3);
-  h = l/between (20, 200);
-  E = between (2e9, 2e11);
-  rhoA = between (1000, 9000)*h^2;
+  l = random_between (0.3, 3);
+  h = l/random_between (20, 200);
+  E = random_between (2e9, 2e11);
+  rhoA = random_between (1000, 9000)*h^2;
   EI = E*h^4/12;
-  turn = between (0.3, 4)*sign (rand () - 0.5);
+  turn = random_between (0.3, 4)*sign (rand () - 0.5);
   rod = struct ("length", l, "EA", E*h^2, "EI", EI, "rhoA", rhoA, "half_height", h/2);
   rod.damping = (rand () < 0.3)*1e-5;
   switch (ceil (3*rand ()))
     case 1
       curvature = turn/l;
     case 2
-      straight = l*between (0.2, 0.7);
+      straight = l*random_between (0.2, 0.7);
       curvature = @(xi) turn/(l - straight)*(xi > straight);
       rod.curvature_breaks = straight;
     case 3
@@ -33,15 +32,15 @@ function scene = drawn_scene ()
   scene.rod = setfield (rod, "curvature", curvature);
   scene.model.energy = "uniaxial";
   period = 2*pi/15.42*l^2*sqrt (rhoA/EI);
-  scene.gravity = min (9.81, between (0.001, 0.1)*EI/(rhoA*l^3));
-  moment = between (1e-3, 0.03)*EI/l;
-  ending = period*between (0.2, 3);
+  scene.gravity = min (9.81, random_between (0.001, 0.1)*EI/(rhoA*l^3));
+  moment = random_between (1e-3, 0.03)*EI/l;
+  ending = period*random_between (0.2, 3);
   scene.moment = @(t) moment*sin (pi*t/ending).^2.*(t < ending);
   scene.moment_breaks = ending;
   scene.initial.phi = pi*(2*rand () - 1);
-  scene.duration = period*between (1, 5);
+  scene.duration = period*random_between (1, 5);
   scene.frames_per_second = 40/scene.duration;
-  scene.solver.tolerance = l*between (1e-5, 1e-4);
+  scene.solver.tolerance = l*random_between (1e-5, 1e-4);
 endfunction
 
 %!test # the same seed gives the same scene; all are scenes of the rod, and all three shapes are drawn

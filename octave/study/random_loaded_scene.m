@@ -21,7 +21,7 @@ function scene = hinged ()
   scene.rod = rod;
   scene.initial.phi = load.angle;
   [scene.force, scene.moment_breaks] = deal (load.force, load.breaks);
-  scene.force_station = rod.length*pick ([1 1 0.7]);
+  scene.force_station = rod.length*random_pick ([1 1 0.7]);
   scene.tip_mass = load.tip_mass;
   scene.model.energy = "uniaxial";
 endfunction
@@ -31,8 +31,8 @@ function scene = in_hub ()
   scene = hinged ();
   start = scene.initial.phi;
   scene = rmfield (scene, "initial");
-  angle = between (0.0003, 0.003);  # within a few periods of bending: the rod lags by as much as forces bend it
-  rise = scene.duration*between (0.2, 0.6);
+  angle = random_between (0.0003, 0.003);  # within a few periods of bending: the rod lags by as much as forces bend it
+  rise = scene.duration*random_between (0.2, 0.6);
   stops = rand () < 0.5;
   scene.rotation = @(t) [start, 0, 0] + turning (t/rise, angle, rise, stops);
   scene.moment_breaks = sort ([scene.moment_breaks, rise]);
@@ -53,8 +53,9 @@ function scene = two_rods ()
   [scene, load] = common (scales, 3);
   scene.bodies = {body_of(rod, load.angle), body_of(rod, load.angle)};
   scene.bodies{2}.tip_mass = load.tip_mass;
-  scene.joints = {struct("kind", pick ({"revolute", "weld"}), "bodies", 1, "stations", 0, "direction", load.angle)
-                  struct("kind", pick ({"revolute", "weld"}), "bodies", [1 2], "stations", [rod.length 0])
+  held = @() random_pick ({"revolute", "weld"});
+  scene.joints = {struct("kind", held (), "bodies", 1, "stations", 0, "direction", load.angle)
+                  struct("kind", held (), "bodies", [1 2], "stations", [rod.length 0])
                   struct("kind", "force", "bodies", 2, "stations", rod.length, "value", load.force)};
   if (strcmp (scene.joints{1}.kind, "revolute") && rand () < 0.5)
     drive = @(t) turning (t/scene.duration, 0.003, scene.duration, true) + [load.angle, 0, 0];
@@ -67,7 +68,7 @@ endfunction
 function scene = three_rods ()
   [rod, scales] = random_rod ();
   [scene, load] = common (scales, 3);
-  angle = between (0.3, 1);
+  angle = random_between (0.3, 1);
   l = rod.length;
   scene.bodies = {body_of(rod, angle), body_of(rod, -angle), body_of(rod, -pi/2)};
   scene.bodies{3}.tip_mass = load.tip_mass;
@@ -89,44 +90,34 @@ endfunction
 ## and its scales: its period of bending (hinged and free), EI/l^2 (N), what stretches it by 0.05 percent (N), mass
 ## (kg)
 function [rod, scales] = random_rod ()
-  l = between (0.3, 3);
-  slenderness = between (15, 100);
-  E = between (2e9, 2e11);
-  [half_height, width] = deal (l/slenderness/2, l/slenderness*between (0.5, 3));
-  rhoA = between (1000, 9000)*2*half_height*width;
+  l = random_between (0.3, 3);
+  slenderness = random_between (15, 100);
+  E = random_between (2e9, 2e11);
+  [half_height, width] = deal (l/slenderness/2, l/slenderness*random_between (0.5, 3));
+  rhoA = random_between (1000, 9000)*2*half_height*width;
   EI = E*width*(2*half_height)^3/12;
-  EA = pick ({E*2*half_height*width, EI/l^2*between(100, 3000)});
+  EA = random_pick ({E*2*half_height*width, EI/l^2*random_between(100, 3000)});
   rod = struct ("length", l, "EA", EA, "EI", EI, "rhoA", rhoA, "half_height", half_height, ...
-                "damping", pick ([0 0 1e-5]));
+                "damping", random_pick ([0 0 1e-5]));
   scales = struct ("period", 2*pi/15.42*l^2*sqrt (rhoA/EI), "EI", EI/l^2, "EA", 5e-4*EA, "length", l, ...
                    "mass", rhoA*l);
 endfunction
 
 ## mechanisms, which take longer, have a share of the duration, and a larger tolerance
 function [scene, load] = common (scales, share = 1)
-  scene.gravity = pick ([0, 1])*min (9.81, between (0.001, 0.03)*scales.EI/scales.mass);
-  scene.duration = scales.period*between (1, 4)/share;
+  scene.gravity = random_pick ([0, 1])*min (9.81, random_between (0.001, 0.03)*scales.EI/scales.mass);
+  scene.duration = scales.period*random_between (1, 4)/share;
   scene.frames_per_second = 40/scene.duration;
-  scene.solver.tolerance = share*scales.length*between (3e-6, 5e-5);
+  scene.solver.tolerance = share*scales.length*random_between (3e-6, 5e-5);
   load.angle = pi*(2*rand () - 1);
-  load.tip_mass = pick ([0 1])*scales.mass*between (0.05, 0.5);
-  size = [pick([-1 1])*min(between (0.01, 0.2)*scales.EI, scales.EA); pick([-1 1])*between(0.0005, 0.005)*scales.EI];
+  load.tip_mass = random_pick ([0 1])*scales.mass*random_between (0.05, 0.5);
+  size = [random_pick([-1 1])*min(random_between (0.01, 0.2)*scales.EI, scales.EA)
+          random_pick([-1 1])*random_between(0.0005, 0.005)*scales.EI];
   size = [cos(load.angle) -sin(load.angle); sin(load.angle) cos(load.angle)]*size;  # along and across the rod
-  ending = scales.period*between (0.1, 2);
-  course = pick ({@(t) t < ending, @(t) sin(pi*t/ending)*(t < ending), @(t) sin(2*pi*t/ending)});
+  ending = scales.period*random_between (0.1, 2);
+  course = random_pick ({@(t) t < ending, @(t) sin(pi*t/ending)*(t < ending), @(t) sin(2*pi*t/ending)});
   load.force = @(t) course (t)*size.';
   load.breaks = ending(ending < scene.duration);
-endfunction
-
-function x = between (low, high)
-  x = low*(high/low)^rand ();
-endfunction
-
-function x = pick (list)
-  x = list(ceil (rand ()*numel (list)));
-  if (iscell (x))
-    x = x{1};
-  endif
 endfunction
 
 %!test # the same seed gives the same scene, and all kinds are scenes

@@ -11,22 +11,21 @@ function scene = random_scene (seed)
 endfunction
 
 function scene = drawn_scene ()
-  between = @(low, high) low*(high/low)^rand ();
-  [length, slenderness] = deal (between (0.2, 5), between (20, 500));
+  [length, slenderness] = deal (random_between (0.2, 5), random_between (20, 500));
   rod.length = length;
   rod.half_height = length/slenderness/2;
-  rod.width = rod.half_height*between (0.5, 5);
-  rod.mu = between (1e9, 1e11);
-  rod.lambda = rod.mu*between (0.5, 2);
-  rod.density = between (1000, 9000);
+  rod.width = rod.half_height*random_between (0.5, 5);
+  rod.mu = random_between (1e9, 1e11);
+  rod.lambda = rod.mu*random_between (0.5, 2);
+  rod.density = random_between (1000, 9000);
   rod.damping = (rand () < 0.3)*1e-5;
   scene.rod = rod;
   scene.model.energy = {"paper", "uniaxial"}{1 + (rand () < 0.5)};
   EI = rod.mu*2.6*rod.width*(2*rod.half_height)^3/12;
   period = 2*pi/15.4*sqrt (rod.density*rod.width*2*rod.half_height/EI)*length^2;
-  scene.gravity = min (9.81, between (0.01, 1)*EI/(rod.density*rod.width*2*rod.half_height*length^3));
-  moment = between (1e-3, 0.1)*EI/length;
-  duration = period*between (0.1, 10);
+  scene.gravity = min (9.81, random_between (0.01, 1)*EI/(rod.density*rod.width*2*rod.half_height*length^3));
+  moment = random_between (1e-3, 0.1)*EI/length;
+  duration = period*random_between (0.1, 10);
   if (rand () < 0.5)
     scene.moment = @(t) moment*(t < duration);
   else
@@ -35,10 +34,10 @@ function scene = drawn_scene ()
   scene.moment_breaks = duration;
   scene.initial.phi = pi*(2*rand () - 1);
   scene.initial.phi_dot = (rand () < 0.3)*0.5/period;
-  scene.initial.V2 = (rand () < 0.3)*length*between (1e-4, 1e-2)*[1, rand() - 0.5];
-  scene.duration = period*between (3, 30);
+  scene.initial.V2 = (rand () < 0.3)*length*random_between (1e-4, 1e-2)*[1, rand() - 0.5];
+  scene.duration = period*random_between (3, 30);
   scene.frames_per_second = 60/scene.duration;
-  scene.zoom = between (1, 100);
+  scene.zoom = random_between (1, 100);
 endfunction
 
 %!test # the same seed gives the same scene, another one another

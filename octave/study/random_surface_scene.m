@@ -11,13 +11,12 @@ function scene = random_surface_scene (seed)
 endfunction
 
 function scene = drawn_scene (k)
-  between = @(low, high) low*(high/low)^rand ();
-  l = between (0.3, 2);
-  [scene.surface, scene.initial.point] = drawn_surface (k, l, between);
-  rhoA = between (0.05, 0.5);
-  EI = rhoA*l^4*between (20, 200);  # its slowest bending takes some tenths of a second
-  scene.rod = struct ("length", l, "EA", EI/l^2*between(1e3, 1e5), "EI", EI, "rhoA", rhoA);
-  scene.rod.EI_normal = EI*between (0.05, 1);
+  l = random_between (0.3, 2);
+  [scene.surface, scene.initial.point] = drawn_surface (k, l);
+  rhoA = random_between (0.05, 0.5);
+  EI = rhoA*l^4*random_between (20, 200);  # its slowest bending takes some tenths of a second
+  scene.rod = struct ("length", l, "EA", EI/l^2*random_between(1e3, 1e5), "EI", EI, "rhoA", rhoA);
+  scene.rod.EI_normal = EI*random_between (0.05, 1);
   scene.rod.GJ = (rand () < 0.5)*0.5*EI;
   scene.surface.side = 0;
   scene.initial.angle = pi*(2*rand () - 1);
@@ -28,22 +27,22 @@ function scene = drawn_scene (k)
     size = 0.3*rhoA*l*9.81*(2*rand (1, 3) - 1);
     scene.force = @(t) size.*sin (5*t(:));
   endif
-  scene.duration = between (0.3, 1)*sqrt (l);
+  scene.duration = random_between (0.3, 1)*sqrt (l);
   scene.frames_per_second = 40/scene.duration;
-  scene.solver.tolerance = l*between (1e-4, 1e-3);
+  scene.solver.tolerance = l*random_between (1e-4, 1e-3);
 endfunction
 
-function [surface, point] = drawn_surface (k, l, between)
-  size = l*between (1, 4);
+function [surface, point] = drawn_surface (k, l)
+  size = l*random_between (1, 4);
   point = [0 0];
   switch (k)
     case 1
-      surface = struct ("name", "plane", "inclination", pick ([pi/2, 0.5]));
+      surface = struct ("name", "plane", "inclination", random_pick ([pi/2, 0.5]));
     case 2
       surface = struct ("name", "cylinder", "radius", size);
       point = [0, 0.5*size*(2*rand () - 1)];
     case 3
-      surface = struct ("name", "cone", "half_angle", between (0.3, 1));
+      surface = struct ("name", "cone", "half_angle", random_between (0.3, 1));
       point = [3*size, rand()];
     case 4
       surface = struct ("name", "sphere", "radius", size);
@@ -57,10 +56,6 @@ function [surface, point] = drawn_surface (k, l, between)
       surface = struct ("name", "bumps", "height", 0.1*size, "wave_number_1", 1/size, "wave_number_2", 1.3/size);
       point = 0.3*size*(2*rand (1, 2) - 1);
   endswitch
-endfunction
-
-function x = pick (list)
-  x = list(ceil (rand ()*numel (list)));
 endfunction
 
 %!test # the same seed gives the same scene; every surface, and every end, is drawn
