@@ -49,11 +49,9 @@
 ## @item columns (scene, run)
 ## [names, table] of history.csv: names with units, a row a name
 ## @item drawing (scene, run)
-## what @code{draw_pictures} takes
-## @item panels (scene, run)
-## those of the drawing, from top to bottom (see @code{new_panel})
+## what @code{draw_pictures} takes, but for the spectrum
 ## @item spectrum (scene, run)
-## that below them, a struct like that of @code{tip_spectrum}, or empty
+## that below the drawing's panels, a struct like that of @code{tip_spectrum}, or empty
 ## @item rungs (scene, chosen, richer)
 ## rungs around a chosen one, a cell array, up to a richer one
 ## @item exact (scene, seconds)

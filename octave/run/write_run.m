@@ -16,7 +16,7 @@ function summary = write_run (output, kind, scene, run, summary, start)
   pictures = {"frames", "animation.mp4", "animation.gif", "figure3.svg", "figure3.png", "figure3.pdf", ...
               "history.svg", "report.html"};
   names = {"history.csv", "summary.json", "end.csv", "dense.csv"};
-  draw = @() with_dense_curves (kind.drawing (scene, run), kind, scene, run);
+  draw = @() run_drawing (kind, scene, run);
   summary.seconds.pictures = 0;
   summary.seconds.total = toc (start);
   ## The pictures of the last run go before its numbers do: they would not belong to these.

@@ -24,7 +24,6 @@ function kind = surface_kind ()
   kind.warnings = @(scene, run) [pull_warning(run.history, scene), strain_warning(limits_of_rod (scene, run))];
   kind.columns = @surface_columns;
   kind.drawing = @(scene, run) surface_drawing (run.model, scene, run.history);
-  kind.panels = @(scene, run) surface_panels (scene, run.history);
   kind.spectrum = @(scene, run) [];
   kind.rungs = @rungs_around;
   kind.exact = @(scene, seconds) deal ([], false);

@@ -1,17 +1,19 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{drawing} =} with_dense_curves (@var{drawing}, @var{kind}, @var{scene}, @var{run})
-## The @var{drawing} of a @var{run} (see @code{draw_pictures}), with its spectrum, and with the panels of
-## @file{history.svg} from some 2000 times of the run, panel_time, where the frames' samples miss what is between them:
-## where a curve through every second frame is off from the others by more than a hundredth of its range.  A run
-## without states between its frames is integrated once more for that; where it would take too long, a note says so.
+## @deftypefn {} {@var{drawing} =} run_drawing (@var{kind}, @var{scene}, @var{run})
+## What the pictures of a @var{run} show (see @code{draw_pictures}): the drawing of its @var{kind} and the spectrum.
+## The panels of @file{history.svg} are from some 2000 times of the run, panel_time, where the frames' samples miss
+## what is between them: where a curve through every second frame is off from the others by more than a hundredth of
+## its range.  A run without states between its frames is integrated once more for that; where it would take too long,
+## a note says so.
 ## @end deftypefn
 
-function drawing = with_dense_curves (drawing, kind, scene, run)
+function drawing = run_drawing (kind, scene, run)
+  drawing = kind.drawing (scene, run);
   if (numel (drawing.time) >= 5 && numel (drawing.time) < 2000 && ! are_smooth (drawing.panels, drawing.time))
     try
       run = with_states_between (kind, scene, run);
       dense = between_frames (kind, scene, run);
-      drawing.panels = kind.panels (scene, dense);
+      drawing.panels = kind.drawing (scene, dense).panels;
       drawing.panel_time = dense.history.t;
     catch err
       if (! strcmp (err.identifier, "toolchain:integration"))
@@ -55,7 +57,7 @@ endfunction
 %!function drawing = drawn (scene)
 %!  scene = check_scene (scene);
 %!  run = run_model (rod_kind (), scene, build_model (scene, rung_of_scene (scene)));
-%!  drawing = with_dense_curves (rod_drawing (scene, run.model, run.history), rod_kind (), scene, run);
+%!  drawing = run_drawing (rod_kind (), scene, run);
 %!endfunction
 %!test # a rigid rod that swings is drawn from its frames; where the paper's rod rings, its highest energies are seen
 %! scene = setfield (setfield (swing (), "duration", 1), "model", "modes", [0 0]);
@@ -67,8 +69,7 @@ endfunction
 %! scene = setfield (setfield (setfield (paper (), "model", "modes", [0 2]), "duration", 0.6), "frames_per_second", 20);
 %! scene = check_scene (scene);
 %! run = run_model (rod_kind (), scene, build_model (scene, rung_of_scene (scene)));
-%! alone = struct ("time", run.history.t, "panels", rod_panels (run.history, undeformed_tip (run.model)));
-%! curves = with_dense_curves (alone, rod_kind (), scene, run);
+%! curves = run_drawing (rod_kind (), scene, run);
 %! dense = rod_panels (dense_run (rod_kind (), scene, run, 20000).history, undeformed_tip (run.model));
 %! for k = 1:numel (dense) - 1
 %!   values = interp1 (0:5e-5:0.6, dense(k).values.', curves.panel_time, "spline").';
@@ -79,6 +80,6 @@ endfunction
 %! scene = check_scene (setfield (scene, "frames_per_second", 20));
 %! run = run_model (rod_kind (), scene, build_model (scene, rung_of_scene (scene)));
 %! slow = setfield (rod_kind (), "system", @(varargin) error ("toolchain:integration", "given up after 10 s\n"));
-%! drawing = rmfield (rod_drawing (scene, run.model, run.history), "notes");
-%! drawing = with_dense_curves (drawing, slow, scene, run);
+%! slow.drawing = @(scene, run) rmfield (rod_drawing (scene, run.model, run.history), "notes");
+%! drawing = run_drawing (slow, scene, run);
 %! assert (drawing.notes{end}, "the curves of history.svg miss what is between frames: given up after 10 s");
