@@ -37,7 +37,7 @@ endfunction
 
 ## of eight points spread over the path, and of the events, all bodies at a time
 function [shapes, modes] = drawn_lines (found, scene)
-  points = unique (round (linspace (1, numel (found.factor), 8)));
+  points = evenly_chosen (numel (found.factor), 8);
   shapes = arrayfun (@(k) one_line (cellfun (@(places) places(:,:,k), found.shape, "uniformoutput", false), scene), ...
                      points, "uniformoutput", false);
   modes = cellfun (@(lines) one_line (lines, scene), {found.events.mode}, "uniformoutput", false);

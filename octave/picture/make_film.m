@@ -19,7 +19,7 @@ function [missing, warnings] = make_film (frames, frames_per_second, folder)
   filter = sprintf ("[0] fps=%.9g [f]; [f][1] paletteuse=dither=none:diff_mode=rectangle", ...
                     min (frames_per_second, 50));
   ## The colour bar is in every frame: a few have all colours.
-  few = strjoin (frame_names (unique (round (linspace (1, frames, 6))), frames));
+  few = strjoin (frame_names (evenly_chosen (frames, 6), frames));
   gif = ["cat " few " | ffmpeg -loglevel error -y -f image2pipe -c:v png -i - -vf palettegen palette.png && " ...
          source " -i palette.png -filter_complex '" filter "' animation.gif"];
   job = start_tool (folder, "ffmpeg", gif);

@@ -6,7 +6,7 @@
 ## @end deftypefn
 
 function json = report_data (drawing)
-  shown = even (numel (drawing.time), 400);
+  shown = evenly_chosen (numel (drawing.time), 400);
   camera = fit_camera (drawing, [1 1]);
   off = arrayfun (@(body) max ([0; abs(body.x(:) - body.rest_x(:)); abs(body.y(:) - body.rest_y(:))]), drawing.bodies);
   data.unit = camera.pixel/20000;
@@ -34,19 +34,15 @@ function json = report_data (drawing)
   for i = 1:numel (drawing.bodies)
     data.bodies{i} = body_data (drawing.bodies(i), stress{i}, range, shown, data);
   endfor
-  data.hinges = arrayfun (@(i) hinge_data (drawing, i, shown, data.unit), 1:rows (drawing.hinges.x), ...
+  data.hinges = arrayfun (@(i) hinge_data (drawing, i, 41, shown, data.unit), 1:rows (drawing.hinges.x), ...
                          "UniformOutput", false);
   data.backdrop = {};
   if (isfield (drawing, "backdrop"))
     data.backdrop = cellfun (@(line) num2cell (round (line.'(:).'/data.unit)), drawing.backdrop, ...
                              "UniformOutput", false);
   endif
-  data.strips = arrayfun (@(strip) strip_data (strip, shown), drawing.strips(:).', "UniformOutput", false);
+  data.strips = arrayfun (@(strip) values_of_strip (strip, shown), drawing.strips(:).', "UniformOutput", false);
   json = strrep (jsonencode (data), "</", "<\\/");
-endfunction
-
-function shown = even (n, most)
-  shown = unique (round (linspace (1, n, min (n, most))));
 endfunction
 
 function values = rounded (values)
@@ -65,7 +61,7 @@ function frames = whole_numbers (x, y, unit)
 endfunction
 
 function data = body_data (body, stress, range, shown, units)
-  points = even (rows (body.x), 41);
+  points = evenly_chosen (rows (body.x), 41);
   pick = @(values) values(points,shown);
   data.half_height = body.half_height;
   data.rest = whole_numbers (pick (body.rest_x), pick (body.rest_y), units.unit);
@@ -76,31 +72,7 @@ function data = body_data (body, stress, range, shown, units)
   endif
 endfunction
 
-## A hinge goes with the point of a body that it lies on in all frames, at any zoom: point, from 0; else body is -1.
-function data = hinge_data (drawing, i, shown, unit)
-  x = drawing.hinges.x(i,:);
-  y = drawing.hinges.y(i,:);
-  data = struct ("body", -1, "shape", "pin", ...
-                 "ground", ! isfield (drawing.hinges, "ground") || drawing.hinges.ground(i));
-  if (isfield (drawing.hinges, "shape"))
-    data.shape = drawing.hinges.shape{i};
-  endif
-  data.x = num2cell (round (x(shown)/unit));
-  data.y = num2cell (round (y(shown)/unit));
-  for k = 1:numel (drawing.bodies)
-    body = drawing.bodies(k);
-    points = even (rows (body.x), 41);
-    distance = max (hypot (body.x(points,:) - x, body.y(points,:) - y), [], 2);
-    [nearest, point] = min (distance);
-    if (nearest < 40*unit)
-      data.body = k - 1;
-      data.point = point - 1;
-      return;
-    endif
-  endfor
-endfunction
-
-function data = strip_data (strip, shown)
+function data = values_of_strip (strip, shown)
   [data.label, values] = scaled_panel (strip);
   data.names = strip.names;
   data.range = padded_range (values);

@@ -30,7 +30,7 @@ function write_report (folder, drawing, scene, summary, earlier = "")
                                                  {"tried", "warnings", "seconds", "command", "model_reason"})));
   page.seconds = html_table ({}, [fieldnames(summary.seconds), struct2cell(summary.seconds)]);
   page.parameters = html_table ({"field", "value"}, field_rows (scene));
-  page.equations = equations (drawing.equations);
+  page.equations = report_equations (drawing.equations);
   page.data = report_data (drawing);
   page.script = fileread (fullfile (fileparts (mfilename ("fullpath")), "report.js"));
   write_text (fullfile (folder, "report.html"), fill_page ("report.html", page));
@@ -61,22 +61,6 @@ endfunction
 
 function given = without (given, names)
   given = rmfield (given, intersect (names, fieldnames (given)));
-endfunction
-
-## the parts with the names, of which a kind need not have any; a surface of one's own may have been derived without
-function html = equations (names)
-  html = "";
-  for name = names
-    file = file_in_loadpath (["equations_" name{1} ".tex"]);
-    if (! isempty (file))
-      html = [html, tex_to_html(fileread (file))];
-    endif
-  endfor
-  if (isempty (html))
-    html = "<p>None is derived.</p>";
-  else
-    html = ["<p>Derived by Maxima.</p>\n" html];
-  endif
 endfunction
 
 %!function html = report_in (folder, drawing, use, figures, tried)
@@ -153,5 +137,3 @@ endfunction
 %!             "<p>Derived by Maxima.</p>"; "a &lt; b"}.'
 %!   assert (! isempty (strfind (html, text{1})), text{1});
 %! endfor
-%! drawing.equations = {"nothing"};
-%! assert (! isempty (strfind (report_of (drawing, @fileread), "<p>None is derived.</p>")));
