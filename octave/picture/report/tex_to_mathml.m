@@ -70,18 +70,15 @@ function mathml = row (parts)
 endfunction
 
 function [mathml, rest] = atom_of (rest)
-  persistent symbols = struct ("alpha", "α", "beta", "β", "gamma", "γ", "delta", "δ", "varepsilon", "ε", ...
-                               "theta", "θ", "kappa", "κ", "lambda", "λ", "mu", "μ", "xi", "ξ", "pi", "π", ...
-                               "rho", "ρ", "sigma", "σ", "tau", "τ", "varphi", "φ", "chi", "χ", "psi", "ψ", ...
-                               "omega", "ω", "Gamma", "Γ", "Phi", "Φ", "partial", "∂", "bullet", "•");
-  persistent operators = struct ("cdot", "·", "times", "×", "sum", "∑", "int", "∫");
   persistent accents = struct ("dot", "˙", "ddot", "¨", "bar", "¯");
   persistent functions = {"sin", "cos", "tan", "arctan"};
-  persistent spaces = {"\\!", ""; "\\,", "<mspace width=\"0.17em\"/>"; "\\;", "<mspace width=\"0.3em\"/>"};
   token = rest{1};
   rest(1) = [];
   name = regexprep (token, '^\\', "");
-  if (strcmp (token, "{"))
+  mathml = mathml_sign (token);
+  if (ischar (mathml))
+    return;
+  elseif (strcmp (token, "{"))
     [mathml, rest] = row_of (rest);
     rest(1) = [];
   elseif (isfield (accents, name) && token(1) == "\\")
@@ -107,10 +104,6 @@ function [mathml, rest] = atom_of (rest)
     [inner, rest] = row_of (rest(2:end));
     mathml = ["<mrow><mo>" first "</mo>" inner "<mo>" rest{2} "</mo></mrow>"];
     rest(1:2) = [];
-  elseif (isfield (operators, name) && token(1) == "\\")
-    mathml = ["<mo>" operators.(name) "</mo>"];
-  elseif (isfield (symbols, name) && token(1) == "\\")
-    mathml = ["<mi>" symbols.(name) "</mi>"];
   elseif (any (strcmp (name, functions)) && token(1) == "\\")
     applied = "<mo>&#8289;</mo><mspace width=\"0.17em\"/>";
     mathml = ["<mi>" name "</mi>" applied];
@@ -119,8 +112,6 @@ function [mathml, rest] = atom_of (rest)
       [script, rest] = atom_of (rest(2:end));
       mathml = ["<msup><mi>" name "</mi>" script "</msup>" applied];
     endif
-  elseif (any (strcmp (token, spaces(:,1))))
-    mathml = spaces{strcmp(token, spaces(:,1)),2};
   elseif (! isempty (regexp (token, '^\d')))
     mathml = ["<mn>" token "</mn>"];
   elseif (isletter (token(1)))
