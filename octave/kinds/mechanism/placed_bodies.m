@@ -16,7 +16,7 @@ function [q, v] = placed_bodies (scene, mechanism)
       velocity(k,:) = 0;
     endif
   endfor
-  [place, velocity] = place_by_joints (scene, mechanism, place, velocity);
+  [place, velocity] = placed_by_joints (scene, mechanism, place, velocity);
   q = v = zeros (mechanism.n, 1);
   for k = 1:count
     initial = scene.bodies(k).initial;
@@ -34,60 +34,6 @@ function pair = stated_pair (x, y)
     pair = [0, 0];
     pair([! isempty(x), ! isempty(y)]) = [x, y];
   endif
-endfunction
-
-## joint after joint, until none places another body; what hangs on nothing is at the origin, at rest
-function [place, velocity] = place_by_joints (scene, mechanism, place, velocity)
-  do
-    without_place = sum (isnan (place(:,1)));
-    for joint = scene.joints(:).'
-      if (any (strcmp (joint.kind, {"revolute", "weld", "position", "bushing"})))
-        for side = 1:2
-          [place, velocity] = place_body (scene, mechanism, joint, side, place, velocity);
-        endfor
-      endif
-    endfor
-  until (sum (isnan (place(:,1))) == without_place)
-  place(isnan (place)) = 0;
-  velocity(isnan (velocity)) = 0;
-endfunction
-
-## the body on that side of a joint, if it has no place yet, and the other side has one
-function [place, velocity] = place_body (scene, mechanism, joint, side, place, velocity)
-  body = joint.bodies(side);
-  other = joint.bodies(3-side);
-  if (body == 0 || ! isnan (place(body,1)) || (other > 0 && isnan (place(other,1))))
-    return;
-  endif
-  from_O = @(body, side) point_of (scene.bodies(body).initial, mechanism.models{body}.base, joint.stations(side));
-  point = joint.point(:).';
-  rate = [0 0];
-  if (other > 0)
-    [point, rate] = from_O (other, 3 - side);
-    point += place(other,:);
-    rate += velocity(other,:);
-  endif
-  if (strcmp (joint.kind, "position"))
-    offset = joint.value (0);  # of the first side's point from the second's
-    if (side == 2)
-      offset = -offset;
-    endif
-    point += offset(1,:);
-    rate += offset(2,:);
-  endif
-  [own_point, own_rate] = from_O (body, side);
-  place(body,:) = point - own_point;
-  if (isnan (velocity(body,1)))
-    velocity(body,:) = rate - own_rate;
-  endif
-endfunction
-
-## from O, of the undeformed rod
-function [point, rate] = point_of (initial, base, station)
-  [x_0, y_0] = undeformed_places (base, station);
-  [x, y] = rod_centreline (initial.phi, x_0, y_0*0, y_0);
-  point = [x, y];
-  rate = initial.phi_dot*[-y, x];
 endfunction
 
 ## with their rates in a second column
@@ -137,20 +83,3 @@ endfunction
 %! scene = check_mechanism (scene);
 %! [q, v] = placed_bodies (scene, build_mechanism (scene, mechanism_rungs (scene, [0 0 0])));
 %! assert (q, [0; 0; 0; 0; 1; 0; 0; 1; 0]); assert (v, [2; 0; 0; 0; 7; 0; 0; 0; 2]);
-%!test # a place that is prescribed, and its rate, put a rod's point there, whichever side of the joint it is on
-%! rod = struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1);
-%! scene.bodies = {struct("rod", rod, "model", struct ("modes", [0 0]), "initial", struct ("phi", pi/2, ...
-%!   "phi_dot", 2))};
-%! scene.joints = {struct("kind", "position", "bodies", 1, "stations", 0.5, "point", [3 0], ...
-%!                        "value", @(t) [0.2+t 0.1; 1 5; 0 0])};
-%! scene.duration = 1;
-%! scene = check_mechanism (scene);
-%! [q, v] = placed_bodies (scene, build_mechanism (scene, mechanism_rungs (scene, 0)));
-%! assert (q, [pi/2; 3.2; -0.4], 1e-12); assert (v, [2; 1 + 1; 5], 1e-12);
-%! scene = struct ("duration", 1, "bodies", {{struct("rod", rod, "model", struct ("modes", [0 0])), ...
-%!                                            struct("rod", rod, "model", struct ("modes", [0 0]))}});
-%! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), ...
-%!                 struct("kind", "position", "bodies", [1 2], "stations", [1 0], "value", @(t) [0.2 0.1; 3 4; 0 0])};
-%! scene = check_mechanism (scene);
-%! [q, v] = placed_bodies (scene, build_mechanism (scene, mechanism_rungs (scene, [0 0])));
-%! assert (q, [0; 0; 0; 0; 0.8; -0.1], 1e-12); assert (v, [0; 0; 0; 0; -3; -4], 1e-12);
