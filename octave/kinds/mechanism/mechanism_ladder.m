@@ -19,7 +19,7 @@ function ladder = mechanism_ladder (scene)
   ladder.richer = @(rung) within (struct ("bending", ceil (1.5*rung.bending) + 2, ...
                                           "longitudinal", 2*rung.longitudinal + 1), least, most);
   ladder.smaller = @(rung, part) one_less (rung, part, least);
-  ladder.left_out = @(reference, rung, part) left_out_of (reference, rung, part, open);
+  ladder.left_out = @(reference, rung, part) left_out_of_body (reference, rung, part, open);
   ladder.poorer = @(rung, reference) clearly_fewer ([rung.bending, rung.longitudinal], ...
                                                     [reference.bending, reference.longitudinal]);
   ladder.label = @label_of;
@@ -63,34 +63,6 @@ endfunction
 
 function rung = one_less (rung, part, least)
   rung.(part.kind)(part.body) = max (rung.(part.kind)(part.body) - 1, least.(part.kind)(part.body));
-endfunction
-
-## Inf where the constraints would depend on each other at the start
-function metres = left_out_of (reference, rung, part, open)
-  models = reference.model.models;
-  k = part.body;
-  order = struct ("longitudinal", 1, "bending", 2).(part.kind);
-  metres = left_out (models{k}, reference.history.bodies(k).V, order, rung.(part.kind)(k));
-  of_rung = true (1, reference.model.n);
-  for k = find (open)
-    base = models{k}.base;
-    of_rung(index_of (reference.model, k)(1:end-3)) = [has(base.longitudinal, rung.longitudinal(k)), ...
-                                                       has(base.transversal, rung.bending(k))];
-  endfor
-  if (! independent (reference.start_jacobian(:,of_rung)))
-    metres = Inf;
-  endif
-endfunction
-
-## as many functions, and with any of them the corrections for the ends, whose numbers are below 0
-function yes = has (numbers, count)
-  yes = numbers <= count & count > 0;
-endfunction
-
-function yes = independent (jacobian)
-  [~, R, ~] = qr (full (jacobian.'), 0);
-  sizes = abs (diag (R));
-  yes = sum (sizes > 1e-10*max ([sizes; 0])) == rows (jacobian);
 endfunction
 
 function name = name_of (rung)
