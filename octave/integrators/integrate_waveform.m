@@ -110,15 +110,6 @@ function states = states_inside (modal, window, frames, taken)
   states = modal.state (states);
 endfunction
 
-## Chebyshev's points of 0 to 1, ends included
-function rule = panel_rule (m)
-  angles = pi*(0:m-1)/(m - 1);
-  rule.nodes = (1 - cos (angles))/2;
-  chebyshev = cos ((0:m-1).'.*(pi - angles));  # a row a degree
-  rule.weights = inv (chebyshev.');
-  rule.defect = inv (chebyshev)*diag ([zeros(1, m-1), 1])*chebyshev;
-endfunction
-
 %!test # oscillations beyond the panels are exact, the load is integrated to the tolerance
 %! system = driven_oscillators ();
 %! [states, steps] = integrate_waveform (system, [0 1 2.5 4], zeros (7, 1), struct ("tolerance", 1e-9));
