@@ -101,18 +101,6 @@ function run = observe_mechanism (scene, model, system, times, states)
   [~, run.start_jacobian] = system.matrices (system.at (0, start.q, start.v));
 endfunction
 
-function own = describe_mechanism (scene, run)
-  [models, history] = deal (run.model.models, run.history);
-  own.model = sprintf ("%d bodies, %d coordinates, %d constraints", numel (scene.bodies), run.model.n, ...
-                       run.model.constraints.count);
-  own.bodies = {scene.bodies.name};
-  own.joints = {scene.joints(:).name};
-  own.modes = cellfun (@(model) [model.rung.longitudinal, model.rung.bending], models, "uniformoutput", false);
-  own.stiffening = cellfun (@(model) model.rung.stiffening, models, "uniformoutput", false);
-  own.largest_constraint_residual = max (history.residual);
-  own.largest_constraint_velocity = max (history.velocity_residual);
-endfunction
-
 %!test # bodies keep what they state
 %! scene = check_mechanism (setfield (chain (2), "duration", 0.02));
 %! [model, choice] = chosen_model (mechanism_kind (), scene);
@@ -130,7 +118,7 @@ endfunction
 %!test # half a pixel of the longest rod
 %! [~, ~, scene] = sample_mechanism ([0 1]);
 %! assert (mechanism_kind ().pixel (scene), 2.5*0.5/720, 1e-12);
-%!test # how it asks for a balance, richer models, rungs around a chosen one, and what is said of a run
+%!test # how it asks for a balance, richer models, and rungs around a chosen one
 %! kind = mechanism_kind ();
 %! tighter = @(off) kind.tighter (struct ("tolerance", 1), off).tolerance;
 %! assert (arrayfun (tighter, [1e-7 5e-7 1]), [0.1 0.01 1e-3], 1e-12);
@@ -143,13 +131,6 @@ endfunction
 %!         [0 0 0; 1 1 1; 2 2 2; 3 3 3; 0 2 1; 3 4 4]);
 %! rungs = kind.rungs (scene, rung ([1 1 1]), rung ([2 2 2]));
 %! assert (cellfun (@(rung) rung.bending(1), rungs), [0 1 2]);
-%! run.model = system.mechanism;
-%! run.history = struct ("residual", [1 3 2], "velocity_residual", [6 5 4]);
-%! own = kind.describe (scene, run);
-%! assert (own.model, "3 bodies, 18 coordinates, 5 constraints");
-%! assert (own.bodies, {"body 1", "body 2", "body 3"}); assert (own.joints{6}, "joint 6");
-%! assert (own.modes, {[1 2], [1 2], [1 2]}); assert (own.stiffening, repmat ({"foreshortening"}, 1, 3));
-%! assert ([own.largest_constraint_residual, own.largest_constraint_velocity], [3 6]);
 %! assert (kind.stated (scene), struct ("bending", [0 0 0], "longitudinal", [0 0 0]));
 %! assert (cellfun (@(model) model.rung.bending, kind.sized (scene, 3).models) >= 3, true (1, 3));
 %! assert (kind.has (struct ("joints", 1)));
