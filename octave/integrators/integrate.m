@@ -53,7 +53,7 @@ function [states, count] = integrate (system, times, solver)
   function value = counted (t, value)
     calls += columns (value);
     if (isfinite (limit) && toc (clock) > limit)
-      error ("toolchain:integration", "given up after %.0f s\n", limit);
+      error ("toolchain:integration:time", "given up after %.0f s\n", limit);
     endif
     if (watched && calls >= shown + 50)
       shown = calls;
@@ -76,6 +76,8 @@ endfunction
 %! assert (states(1,:), [0, 0.7^2/2, 0.5 + 0.3, 1.5], 1e-12);
 %! assert (count.calls > 20); assert (count.method, "ode45");
 %!error <given up after 0 s>
+%! integrate (pushed_mass (), [0 1], struct ("name", "ode45", "tolerance", 1e-6, "seconds", 0));
+%!error id=toolchain:integration:time
 %! integrate (pushed_mass (), [0 1], struct ("name", "ode45", "tolerance", 1e-6, "seconds", 0));
 %!test # the largest error of all frames is near the tolerance or below it
 %! scene = check_scene (setfield (setfield (paper (), "model", "modes", [0 1]), "duration", 0.4));

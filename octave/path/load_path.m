@@ -53,9 +53,7 @@ function found = rich_enough (kind, scene, factors)
   try
     last = at_rest (kind, scene, factors(end), places, 1e-4);
   catch err
-    if (! strcmp (err.identifier, "toolchain:scene"))
-      rethrow (err);
-    endif
+    rethrow_others (err, "toolchain:scene");
     return;
   end_try_catch
   if (last.functions > found.functions)

@@ -16,9 +16,7 @@ function drawing = run_drawing (kind, scene, run)
       drawing.panels = kind.drawing (scene, dense).panels;
       drawing.panel_time = dense.history.t;
     catch err
-      if (! strcmp (err.identifier, "toolchain:integration"))
-        rethrow (err);
-      endif
+      rethrow_others (err, "toolchain:integration");
       if (! isfield (drawing, "notes"))
         drawing.notes = {};
       endif

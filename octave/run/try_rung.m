@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{trial} =} try_rung (@var{ladder}, @var{rung}, @var{like})
 ## Run a @var{rung} of a @var{ladder} of models (see @code{choose}): what its function trial returns, a struct with the
 ## points x and y, and z on a surface (points-by-frames, m), and the integrator's count, and with the rung and the
-## seconds that it took.  The trial of a @var{like} rung, where there is one, leads it.  A run that fails leaves error,
-## its message, and NaN for the points.
+## seconds that it took.  The trial of a @var{like} rung, where there is one, leads it.  A run that fails leaves error
+## and identifier, its message and what sort it is of, "" for others, and NaN for the points.
 ## @end deftypefn
 
 function trial = try_rung (ladder, rung, like = [])
@@ -11,11 +11,9 @@ function trial = try_rung (ladder, rung, like = [])
   show_progress (["trying " ladder.name(rung)]);
   try
     trial = ladder.trial (rung, like);
-    trial.error = "";
+    [trial.error, trial.identifier] = deal ("");
   catch err
-    if (! any (strcmp (err.identifier, {"toolchain:integration", "toolchain:scene"})))
-      rethrow (err);
-    endif
+    rethrow_others (err, "toolchain:integration", "toolchain:scene");
     trial = struct ("x", NaN, "y", NaN, "error", strtrim (err.message), "identifier", err.identifier);
     trial.count = struct ("method", "auto", "steps", 0, "calls", 0, "seconds", NaN);
   end_try_catch

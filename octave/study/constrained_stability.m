@@ -40,9 +40,7 @@ function drift = constraint_drift (method, solver, times, gravity, off = 0)
     residual = system.at ([0 times], states.q, states.v).constraints.residual;
     drift = hypot (residual(1,2:end), residual(2,2:end));
   catch err
-    if (! any (strcmp (err.identifier, {"toolchain:integration", "toolchain:scene"})))
-      rethrow (err);
-    endif
+    rethrow_others (err, "toolchain:integration", "toolchain:scene");
   end_try_catch
 endfunction
 

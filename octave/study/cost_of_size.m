@@ -21,9 +21,7 @@ function rows = cost_of_size (kind, scene, sizes, limit)
     try
       rows(end+1,:) = [n, measured(kind.system (scene, model), times, solver)];
     catch err
-      if (! strcmp (err.identifier, "toolchain:integration"))
-        rethrow (err);
-      endif
+      rethrow_others (err, "toolchain:integration");
       break;
     end_try_catch
   endfor

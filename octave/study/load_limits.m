@@ -22,9 +22,7 @@ function rows = load_limits (which, options, left)
       measured = [path.events.factor, NaN](1);
     endif
   catch err
-    if (! strcmp (err.identifier, "toolchain:scene"))
-      rethrow (err);
-    endif
+    rethrow_others (err, "toolchain:scene");
     say ("  what loads take its stiffness is not known: %s", strtrim (err.message));
     return;
   end_try_catch

@@ -25,9 +25,7 @@ function factor = mode_growth (solver, h_omega)
       factor = (amplitudes(3)/amplitudes(2))^(1/200);
     endif
   catch err
-    if (! strcmp (err.identifier, "toolchain:integration"))
-      rethrow (err);
-    endif
+    rethrow_others (err, "toolchain:integration");
     factor = NaN;
   end_try_catch
 endfunction

@@ -50,9 +50,7 @@ function [run, rung] = richest_of (kind, scene, ladder, choice, seconds)
   try
     [run, rung] = richest_run (kind, scene, choice.trial.model);
   catch err
-    if (! strncmp (err.message, "given up", 8))
-      rethrow (err);
-    endif
+    rethrow_others (err, "toolchain:integration:time");
     run = choice.reference;
     if (ladder.poorer (run.rung, choice.rung))  # the choice gave up
       run = choice.trial;

@@ -12,9 +12,7 @@ function rows = model_limits (kind, scene, model, run, left)
     try
       run = run_model (kind, scene, model, setfield (scene.solver, "seconds", left ()/3));
     catch err
-      if (! strcmp (err.identifier, "toolchain:integration"))
-        rethrow (err);
-      endif
+      rethrow_others (err, "toolchain:integration");
       say ("  the model's limits are not compared with a run: %s", strtrim (err.message));
       return;
     end_try_catch

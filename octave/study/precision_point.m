@@ -41,9 +41,7 @@ function row = precision_point (kind, scene, model, method, parameter, reference
       row.seconds = timed_again (system, times, solver, count.seconds, limit);
     endif
   catch err
-    if (! any (strcmp (err.identifier, {"toolchain:integration", "toolchain:scene"})))
-      rethrow (err);
-    endif
+    rethrow_others (err, "toolchain:integration", "toolchain:scene");
     row.failure = strtrim (err.message);
     row.seconds = max ([row.seconds, toc(start)]);
   end_try_catch
@@ -69,10 +67,10 @@ function [times, states, count, before] = as_far_as (system, scene, solver, know
     try
       [found, taken] = integrate (system, next, solver);
     catch err
-      if (! strncmp (err.message, "given up", 8) || (reached.t == 0 && next(end) <= known(2)))
+      rethrow_others (err, "toolchain:integration:time");
+      if (reached.t == 0 && next(end) <= known(2))
         rethrow (err);
-      endif
-      if (reached.t == 0)  # a guess too low
+      elseif (reached.t == 0)  # a guess too low
         [times, states, count, before] = as_far_as (system, scene, solver, known, limit, 32*expected);
       endif
       return;

@@ -97,9 +97,7 @@ function h_omega = wall (system, mode, name)
     [~, count] = integrate (system, [0, seconds], struct ("name", name, "tolerance", 1));
     h_omega = seconds/count.steps*mode.omega;
   catch err
-    if (! strcmp (err.identifier, "toolchain:integration"))
-      rethrow (err);
-    endif
+    rethrow_others (err, "toolchain:integration");
   end_try_catch
 endfunction
 
@@ -128,9 +126,7 @@ function found = amplitudes (system, mode, name, h, times)
     [states, moved] = both_motions (system, mode.shape, times, solver);
     found = mode.amplitude (moved, states);
   catch err
-    if (! strcmp (err.identifier, "toolchain:integration"))
-      rethrow (err);
-    endif
+    rethrow_others (err, "toolchain:integration");
   end_try_catch
 endfunction
 

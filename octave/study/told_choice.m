@@ -8,7 +8,7 @@ function choice = told_choice (ladder, tolerance)
   try
     choice = choose (ladder, tolerance);
   catch err
-    if (strncmp (err.message, "given up", 8))
+    if (strcmp (err.identifier, "toolchain:integration:time"))
       scene_error (["no model of the ladder could be run in a third of the seconds that were left, the last was %s:" ...
                     " take more, BUDGET=300 say, or a tolerance above %.2g m"], strtrim (err.message), tolerance);
     endif

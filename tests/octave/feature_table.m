@@ -55,9 +55,7 @@ function said = refusal_of (scene)
   try
     built (scene);
   catch err
-    if (! strcmp (err.identifier, "toolchain:scene"))
-      rethrow (err);
-    endif
+    rethrow_others (err, "toolchain:scene");
     said = err.message;
   end_try_catch
 endfunction

@@ -21,9 +21,7 @@ function [run, converged] = exact_runs (scene, seconds)
       printf ("  the exact rod with 9 + 9 and with 12 + 12 polynomials: %.2g m apart\n", off);
     endif
   catch err
-    if (! any (strcmp (err.identifier, {"toolchain:integration", "toolchain:scene"})))
-      rethrow (err);
-    endif
+    rethrow_others (err, "toolchain:integration", "toolchain:scene");
     printf ("  the exact rod is no reference: %s\n", strtrim (err.message));
   end_try_catch
 endfunction
