@@ -16,7 +16,7 @@ function job = draw_history (drawing, scratch)
   inside = drawing.moment_breaks > drawing.time(1) & drawing.moment_breaks < drawing.time(end);
   settings.break_count = sum (inside);
   settings.breaks = num2cell (drawing.moment_breaks(inside));
-  settings.spectrum = double (isfield (drawing, "spectrum") && ! isempty (drawing.spectrum));
+  settings.spectrum = double (! isempty (field_or (drawing, "spectrum", [])));
   names = [{""}, panels.names];
   if (any (inside))
     names{end+1} = "break of loads";

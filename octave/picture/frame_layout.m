@@ -9,10 +9,7 @@
 ## @end deftypefn
 
 function layout = frame_layout (drawing)
-  frame = [1280 720];
-  if (isfield (drawing, "frame_size"))
-    frame = drawing.frame_size(:).';
-  endif
+  frame = field_or (drawing, "frame_size", [1280 720])(:).';
   layout.width = frame(1);
   layout.height = frame(2);
   strips = numel (drawing.strips);

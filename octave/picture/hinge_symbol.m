@@ -6,14 +6,8 @@
 
 function [ground, pins] = hinge_symbol (hinges, frame, size)
   count = rows (hinges.x);
-  on_ground = true (count, 1);
-  if (isfield (hinges, "ground"))
-    on_ground = hinges.ground;
-  endif
-  shape = repmat ({"pin"}, count, 1);
-  if (isfield (hinges, "shape"))
-    shape = hinges.shape;
-  endif
+  on_ground = field_or (hinges, "ground", true (count, 1));
+  shape = field_or (hinges, "shape", repmat ({"pin"}, count, 1));
   ground = pins = zeros (0, 2);
   for i = 1:count
     place = [hinges.x(i,frame), hinges.y(i,frame)];

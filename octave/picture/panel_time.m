@@ -4,10 +4,7 @@
 ## @end deftypefn
 
 function time = panel_time (drawing)
-  time = drawing.time;
-  if (isfield (drawing, "panel_time"))
-    time = drawing.panel_time;
-  endif
+  time = field_or (drawing, "panel_time", drawing.time);
 endfunction
 
 %!assert (panel_time (struct ("time", [0 1])), [0 1])

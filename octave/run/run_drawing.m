@@ -17,10 +17,8 @@ function drawing = run_drawing (kind, scene, run)
       drawing.panel_time = dense.history.t;
     catch err
       rethrow_others (err, "toolchain:integration");
-      if (! isfield (drawing, "notes"))
-        drawing.notes = {};
-      endif
-      drawing.notes{end+1} = ["the curves of history.svg miss what is between frames: " strtrim(err.message)];
+      drawing.notes = [field_or(drawing, "notes", {}), ...
+                       {["the curves of history.svg miss what is between frames: " strtrim(err.message)]}];
     end_try_catch
   endif
   drawing.spectrum = kind.spectrum (scene, run);

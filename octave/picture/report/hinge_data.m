@@ -9,11 +9,9 @@
 function data = hinge_data (drawing, i, points, shown, unit)
   x = drawing.hinges.x(i,:);
   y = drawing.hinges.y(i,:);
-  data = struct ("body", -1, "shape", "pin", ...
-                 "ground", ! isfield (drawing.hinges, "ground") || drawing.hinges.ground(i));
-  if (isfield (drawing.hinges, "shape"))
-    data.shape = drawing.hinges.shape{i};
-  endif
+  count = rows (drawing.hinges.x);
+  data = struct ("body", -1, "shape", field_or (drawing.hinges, "shape", repmat ({"pin"}, count, 1)){i}, ...
+                 "ground", field_or (drawing.hinges, "ground", true (count, 1))(i));
   data.x = num2cell (round (x(shown)/unit));
   data.y = num2cell (round (y(shown)/unit));
   for k = 1:numel (drawing.bodies)

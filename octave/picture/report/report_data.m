@@ -36,11 +36,8 @@ function json = report_data (drawing)
   endfor
   data.hinges = arrayfun (@(i) hinge_data (drawing, i, 41, shown, data.unit), 1:rows (drawing.hinges.x), ...
                          "UniformOutput", false);
-  data.backdrop = {};
-  if (isfield (drawing, "backdrop"))
-    data.backdrop = cellfun (@(line) num2cell (round (line.'(:).'/data.unit)), drawing.backdrop, ...
-                             "UniformOutput", false);
-  endif
+  data.backdrop = cellfun (@(line) num2cell (round (line.'(:).'/data.unit)), field_or (drawing, "backdrop", {}), ...
+                           "UniformOutput", false);
   data.strips = arrayfun (@(strip) values_of_strip (strip, shown), drawing.strips(:).', "UniformOutput", false);
   json = strrep (jsonencode (data), "</", "<\\/");
 endfunction
