@@ -23,7 +23,8 @@ endfunction
 %! [system, start] = sample_mechanism ([0 1]);
 %! rule = radau_rule (3);
 %! [q, v] = deal (repmat (start.q, 1, 6), repmat (start.v, 1, 6));
-%! x = struct ("q", q, "lambda", zeros (system.constraint_count, 6), "sigma", zeros (system.spring_count, 6));
+%! x = struct ("q", q, "lambda", zeros (system.constraint_count, 6));
+%! x.sigma = zeros (system.mechanism.springs.count, 6);
 %! at = system.at (zeros (1, 6), q, v);
 %! middle = system.at ([0 0], q(:,1:2), v(:,1:2));
 %! [M, J, S] = system.matrices (middle);

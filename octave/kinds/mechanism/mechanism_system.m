@@ -3,7 +3,7 @@
 ## A mechanism as its integrators see it: M (q) q'' + Phi_q' lambda = f (t, q, q'), Phi (t, q) = 0, from
 ## L - lambda Phi.
 ##
-## Fields: n, constraint_count, spring_count, stiffness, damping_matrix (n-by-n, constant), mass (n-by-n, of the bodies
+## Fields: n, constraint_count, stiffness, damping_matrix (n-by-n, constant), mass (n-by-n, of the bodies
 ## as they are made), duration, breaks, forms, auto, q_scale (m: what each coordinate may be off by where a point is
 ## off by 1 m), q_points (see @code{points_of_coordinates}), and, for times t (1-by-k) and states q, v (n-by-k),
 ##
@@ -37,7 +37,6 @@ function system = mechanism_system (scene, mechanism)
   system.mechanism = mechanism;
   system.n = mechanism.n;
   system.constraint_count = mechanism.constraints.count;
-  system.spring_count = mechanism.springs.count;
   system.duration = scene.duration;
   system.breaks = scene.breaks;
   system.forms = {"constrained"};
