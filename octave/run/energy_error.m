@@ -9,7 +9,7 @@
 ## @end deftypefn
 
 function error = energy_error (history)
-  E = [history.T; history.U; history.Z; history.W; history.D];
+  [~, E] = energy_columns (history);
   change = max (max (E, [], 2) - min (E, [], 2));
   smallest = max ([1e-6*max(abs (E(:))), history.energy_floor]);
   error = abs (history.balance - history.balance(1))/max (change, smallest);

@@ -10,10 +10,10 @@ function value = observed_value (item, names, table, tables)
     value = of_fields (item, tables.(item.part));
     return;
   endif
-  row = find (strcmp (item.name, regexprep (names, ' \[.*$', "")));
+  bare = regexprep (names, ' \[.*$', "");
+  row = find (strcmp (item.name, bare));
   if (isempty (row))
-    scene_error ("OBSERVE: history.csv has no column %s: those are %s", item.name, ...
-                 strjoin (regexprep (names, ' \[.*$', ""), ", "));
+    scene_error ("OBSERVE: history.csv has no column %s: those are %s", item.name, strjoin (bare, ", "));
   endif
   t = table(1,:);
   x = table(row,:);
