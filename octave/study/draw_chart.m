@@ -63,15 +63,10 @@ function text = ladder_block (name, rows)
       rows(k).label = "";
     endif
   endfor
-  text = sprintf ("$%s << EOD\n", name);
-  if (isempty (rows))
-    text = [text, "NaN NaN \"\"\n"];
-  else
-    for row = spaced_labels (rows)
-      text = [text, sprintf("%.9g %.9g \"%s\"\n", row.seconds, row.error_m, row.label)];
-    endfor
+  if (! isempty (rows))
+    rows = spaced_labels (rows);
   endif
-  text = [text, "EOD\n"];
+  text = labelled_points (name, rows);
 endfunction
 
 %!test # a curve, a part of one and a failure; constraints that drift, and no ladder

@@ -13,22 +13,14 @@ function job = draw_ladder (table, labels, scene, scratch)
                      "chosen", sum ([drawn.chosen]));
   settings.title_size = min (18, 1300/numel (settings.title));
   settings.counts = {};
-  blocks = [points("ode45", drawn(ode45)), points("chosen", drawn([drawn.chosen]))];
+  blocks = [labelled_points("ode45", drawn(ode45)), labelled_points("chosen", drawn([drawn.chosen]))];
   for k = 1:numel (settings.curves)
     of_curve = strcmp ({drawn.curve}, settings.curves{k}) & ! ode45;
     settings.counts{k} = sum (of_curve);
-    blocks = [blocks, points(sprintf ("curve_%d", k), drawn(of_curve))];
+    blocks = [blocks, labelled_points(sprintf ("curve_%d", k), drawn(of_curve))];
   endfor
   write_text (fullfile (scratch, "settings.gp"), [gnuplot_settings(settings), blocks]);
   job = start_gnuplot (scratch, "models.gp");
-endfunction
-
-function text = points (name, rows)
-  text = sprintf ("$%s << EOD\n", name);
-  for row = rows
-    text = [text, sprintf("%.9g %.9g \"%s\"\n", row.seconds, row.error_m, row.label)];
-  endfor
-  text = [text "EOD\n"];
 endfunction
 
 %!test
