@@ -52,7 +52,10 @@ function text = words_of_auto (auto, own, choice, tolerance)
   text = sprintf ("%s and the model of %s, off by %.2g m, %.0f %% of the tolerance", text, row.name, ...
                   choice.error_m, 100*choice.error_m/tolerance);
   if (! isempty (own))
-    larger = {"model", "integration"}{1 + (own.error_m > choice.error_m)};
+    larger = "model";
+    if (own.error_m > choice.error_m)
+      larger = "integration";
+    endif
     text = sprintf ("%s: the error of the %s is the larger one", text, larger);
   endif
   text = [text "."];

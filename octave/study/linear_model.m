@@ -71,11 +71,9 @@ function [names, rest, by] = observed (kind, scene, rods, found, inputs, wanted)
 endfunction
 
 function [names, table] = table_of (kind, scene, rods, system, numbers, states)
-  [names, table] = kind.columns (scene, kind_run (kind.observe (scene, rods, system, numbers, states), rods));
-endfunction
-
-function run = kind_run (run, rods)
+  run = kind.observe (scene, rods, system, numbers, states);
   run.model = rods;
+  [names, table] = kind.columns (scene, run);
 endfunction
 
 function kept = kept_columns (names, wanted)

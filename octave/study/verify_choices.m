@@ -77,7 +77,10 @@ function metres = smaller_error (result, reference)
 endfunction
 
 function report (row)
-  verdict = {"not ok", "ok"}{1 + row.good};
+  verdict = "not ok";
+  if (row.good)
+    verdict = "ok";
+  endif
   printf ("%s %s: error %.3g of the tolerance, estimate %.3g", verdict, row.name, row.error, row.estimate);
   if (! isnan (row.smaller))
     printf (", next smaller model %.3g", row.smaller);
