@@ -12,9 +12,10 @@
 function [x, lambda] = saddle_solve (system, t, mass, jacobian, f, g, compliance = 0)
   n = rows (mass);
   c = rows (jacobian);
-  size_of_mass = full (mean (abs (diag (mass))));  # rows of like size
+  size_of_mass = full (sum (abs (diag (mass))))/n;  # rows of like size
   compliance = compliance.*ones (c, 1);
-  matrix = [mass, size_of_mass*jacobian.'; size_of_mass*jacobian, -size_of_mass^2*spdiags(compliance, 0, c, c)];
+  ties = size_of_mass*jacobian;
+  matrix = [mass, ties.'; ties, -size_of_mass^2*sparse(1:c, 1:c, compliance, c, c)];
   warning_state = warning ("off", "all");
   unwind_protect
     solution = matrix \ [f; size_of_mass*g];

@@ -5,23 +5,22 @@
 ## @end deftypefn
 
 function values = prescribed_values (constraints, t)
-  if (numel (t) > 1 && all (t == t(1)))  # one instant is asked for once
-    along = @(value) value(:,ones (1, numel (t)));
-    values = cellfun (@(value) structfun (along, value, "uniformoutput", false), ...
-                      prescribed_values (constraints, t(1)), "uniformoutput", false);
-    return;
-  endif
   values = cell (1, numel (constraints.kinds));
   every = ones (1, numel (t));
+  asked = 1:numel (t);
+  if (numel (t) > 1 && all (t == t(1)))  # one instant is asked for once
+    t = t(1);
+    asked = every;
+  endif
   for i = 1:numel (constraints.kinds)
     kind = constraints.kinds(i);
-    still = zeros (numel (kind.constant), numel (t));
+    still = zeros (numel (kind.constant), numel (every));
     orders = {kind.constant*every, still, still};
     for j = moving_joints (kind)
       mine = find (kind.joints == j);
       value = reshape (at_times (constraints.values{j}, t), 3, [], numel (t));
       for order = 1:3
-        orders{order}(mine,:) = value(order,kind.component(mine),:);
+        orders{order}(mine,:) = value(order,kind.component(mine),asked);
       endfor
     endfor
     values{i} = cell2struct (orders, {"value", "value_dot", "value_ddot"}, 2);
@@ -46,3 +45,6 @@ endfunction
 %! kind = struct ("joints", 1, "moving", 1, "component", 1, "constant", 0);
 %! values = prescribed_values (struct ("kinds", kind, "values", {{@(t) rand(3, 1)}}), [2 2]);
 %! assert (values{1}.value_dot(1), values{1}.value_dot(2)); assert (size (values{1}.value), [1 2]);
+%! kind = struct ("joints", [1; 1], "moving", 1, "component", [2; 1], "constant", [0; 0]);
+%! values = prescribed_values (struct ("kinds", kind, "values", {{@(t) [t, 2*t; 1, 3; 0, 0]}}), [2 2]);
+%! assert (values{1}.value, [4 4; 2 2]); assert (values{1}.value_dot, [3 3; 1 1]);
