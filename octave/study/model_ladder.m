@@ -84,7 +84,8 @@ endfunction
 %!test # a rigid rod is enough, and the table has it
 %! folder = tempname (); confirm_recursive_rmdir (false, "local");
 %! unwind_protect
-%!   scene = setfield (setfield (swing (), "duration", 0.1), "model", "stiffening", "none");
+%!   scene = setfield (setfield (swing (), "duration", 0.002), "frames_per_second", 1000);
+%!   scene.model.stiffening = "none";
 %!   evalc ("table = model_ladder (scene, 'output', folder);");
 %!   assert (table(find ([table.chosen], 1)).model, "rigid");
 %!   lines = strsplit (strtrim (fileread (fullfile (folder, "models.csv"))), "\n");
