@@ -68,7 +68,7 @@ endfunction
 %! rate = @(t, y) [y(4:6); [0; 0; -9.81] - y(1:3)*(sumsq (y(4:6)) - 9.81*y(3))/R^2];
 %! [~, y] = ode45 (rate, [0 0.2 0.4], [r; cross([0; 0; 3], r)], odeset ("RelTol", 1e-10, "AbsTol", 1e-10));
 %! for k = 1:2
-%!   l = 0.1/2^k;
+%!   l = 0.4/2^k;
 %!   scene.rod = struct ("length", l, "EA", 50, "EI", 1e-2, "EI_normal", 0, "rhoA", 1);
 %!   scene.initial.shape = @(xi) [0.2 + (xi - l/2)*1.05; 0.1 + 0*xi];
 %!   scene.model.modes = [3 3];
@@ -76,7 +76,7 @@ endfunction
 %!   off(k) = norm ([history.x(51,end); history.y(51,end); history.z(51,end)] - y(end,1:3).');
 %! endfor
 %! assert (off(2) < 1e-3);
-%! assert (off(2) < off(1)/2.5);
+%! assert (off(2) < off(1)/3.5);
 
 %!function result = flung (speed)   # a rod on a great circle about the axis, and how far it leaves that circle
 %!  R = 0.5;
@@ -106,7 +106,7 @@ endfunction
 %! assert (result.kept < 1e-8);
 
 %!test # with gravity angular momentum about the vertical stays to 1e-8
-%! scene = setfield (setfield (bowl (), "duration", 0.2), "solver", "tolerance", 1e-7);
+%! scene = setfield (setfield (bowl (), "duration", 0.05), "solver", "tolerance", 1e-7);
 %! result = driver (setfield (scene, "model", "modes", [8 8]), "output", "");
 %! assert (result.summary.angular_momentum_change(3) < 1e-8*abs (result.history.angular_momentum(3,1)));
 %! assert (result.summary.largest_energy_error < 1e-7);
