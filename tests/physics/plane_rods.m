@@ -43,7 +43,7 @@ endfunction
 %!   scene = check_surface_scene (scene);
 %!   system = surface_rod (scene);
 %!   z = zeros (system.n, 1);
-%!   for t = 0.1:0.1:1
+%!   for t = 0.25:0.25:1
 %!     z = equilibrium (surface_at_rest (scene, system), t, z);
 %!   endfor
 %!   f = system.fields (0, z, z, z, 1);
@@ -61,7 +61,7 @@ endfunction
 %!  spring = EI/h*(diag (2*ones (n, 1)) - diag (ones (n-1, 1), 1) - diag (ones (n-1, 1), -1));
 %!  spring(1) = spring(end) = EI/h;
 %!  rate = @(t, y) link_rate (y, n, inertia, weight, spring);
-%!  [~, y] = ode45 (rate, times, zeros (2*n, 1), odeset ("RelTol", 1e-8, "AbsTol", 1e-9));
+%!  [~, y] = ode45 (rate, times, zeros (2*n, 1), odeset ("RelTol", 1e-6, "AbsTol", 1e-7));
 %!  tip = h*[sum(cos (y(end,1:n))); sum(sin (y(end,1:n)))];
 %!endfunction
 %!function y_dot = link_rate (y, n, inertia, weight, spring)
