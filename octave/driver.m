@@ -7,7 +7,8 @@
 ## "auto"), "solver" (a name), "tolerance" (m, or "pixel"), "size" ([W H] of a frame in pixels); "output" is the folder
 ## to write into (default output/NAME; "" writes nothing), and "pictures" (true or false) says whether there are to be
 ## more than history.csv and summary.json.  "dense" (1/s) adds dense.csv, a table like history.csv of so many times a
-## second; "command" is what summary.json has to type for the run, where that is not this call.
+## second; "exact" (true or false) takes the geometrically exact rod for one straight rod; "command" is what
+## summary.json has to type for the run, where that is not this call.
 ##
 ## @var{result}, where it is asked for, is the run (see @code{kind_of}) with its scene and
 ## summary.

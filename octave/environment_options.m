@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{arguments} =} environment_options (@var{more})
 ## The arguments of @code{driver} from the environment, as `make simulate' passes them: SCENE, MODES, SOLVER,
-## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES (yes or no), DENSE, BUDGET, TIME, FILM, and SPEEDS, FACTOR and
-## FREQUENCIES (0:0.5:12), those that are set and not empty.  @var{more} (n-by-3 cell array, as of @code{take_fields})
-## has the names of others, and their kinds.
+## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES and EXACT (yes or no), DENSE, BUDGET, TIME, FILM, and SPEEDS, FACTOR
+## and FREQUENCIES (0:0.5:12), those that are set and not empty.  @var{more} (n-by-3 cell array, as of
+## @code{take_fields}) has the names of others, and their kinds.
 ## @end deftypefn
 
 function arguments = environment_options (more = cell (0, 3))
@@ -13,7 +13,7 @@ function arguments = environment_options (more = cell (0, 3))
   endif
   arguments = {scene};
   texts = [{"SOLVER", "OUTPUT"}, toupper(more(strcmp (more(:,3), "text"),1)).'];
-  names = [{"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "DENSE", "BUDGET", "TIME", "FILM", ...
+  names = [{"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "DENSE", "EXACT", "BUDGET", "TIME", "FILM", ...
             "SPEEDS", "FACTOR", "FREQUENCIES"}, toupper(more(:,1)).'];
   for name = names
     value = getenv (name{1});

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{states} =} within_step (@var{points}, @var{h}, @var{y}, @var{a}, @var{power}, @var{x})
-## The states (place; rate; work and what is dissipated) at the parts @var{x} (1-by-m) of a step of collocation of @var{h} (s) from the state
-## @var{y} on, by the polynomials through the accelerations @var{a} (n-by-s) and the @var{power} (rows-by-s) at its
-## @var{points} (s-by-1, parts of the step).
+## The states (place; rate; work and what is dissipated) at the parts @var{x} (1-by-m) of a step of collocation of
+## @var{h} (s) from the state @var{y} on, by the polynomials through the accelerations @var{a} (n-by-s) and the
+## @var{power} (rows-by-s) at its @var{points} (s-by-1, parts of the step).
 ## @end deftypefn
 
 function states = within_step (points, h, y, a, power, x)

@@ -4,6 +4,7 @@
 ## A scene, checked and with a title, its kind (see @code{kind_of}), where its files go (see @code{take_options}), and
 ## its @var{name} (see @code{load_scene}): @var{which} and @var{options} (a cell array) are arguments as for
 ## @code{driver}; @var{change} (scene) is what is made of the scene before it is checked.
+## With the option "exact" one straight rod is the geometrically exact rod (see @code{exact_scene}).
 ## @end deftypefn
 
 function [scene, kind, output, name] = checked_scene (which, options, change = @(scene) scene)
@@ -12,9 +13,24 @@ function [scene, kind, output, name] = checked_scene (which, options, change = @
   scene = change (scene);
   kind = kind_of (scene);
   scene = kind.check (scene);
+  if (output.exact)
+    [scene, kind] = exactly (scene, kind);
+  endif
   if (isempty (scene.title))
     scene.title = name;
   endif
+endfunction
+
+function [plane, kind] = exactly (scene, kind)
+  if (! strcmp (kind.name, "rod"))
+    scene_error ("exact is for one straight rod on a hinge or in a hub, the scene is of the kind \"%s\"", kind.name);
+  endif
+  [plane, lacks] = exact_scene (scene);
+  if (isempty (plane))
+    scene_error ("exact: the geometrically exact rod lacks what the scene has: %s", lacks);
+  endif
+  kind = kind_of (plane);
+  plane = kind.check (plane);
 endfunction
 
 %!test
@@ -22,3 +38,10 @@ endfunction
 %! assert (scene.model.modes, [0 1]); assert (kind.name, "rod"); assert (scene.title, name);
 %! assert (output.folder, fullfile ("output", name));
 %! assert (checked_scene ("swing", {}, @(scene) setfield (scene, "duration", 2)).duration, 2);
+%!test # exactly: on the plane, or not at all
+%! [scene, kind, output] = checked_scene ("swing", {"exact", true});
+%! assert (scene.surface.name, "plane"); assert (kind.name, "surface"); assert (output.folder, "output/swing");
+%!error <exact is for one straight rod on a hinge or in a hub, the scene is of the kind "mechanism">
+%! checked_scene ("double_pendulum", {"exact", true});
+%!error <exact: the geometrically exact rod lacks what the scene has: a curved axis>
+%! checked_scene ("hook", {"exact", true});

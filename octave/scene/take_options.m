@@ -3,11 +3,12 @@
 ## Put the options of @code{driver}, a cell array of names and values, into the scene's fields, and those that say what
 ## is written into the struct @var{output}: its @code{folder} (@var{folder}, unless the option "output" replaces it; ""
 ## writes nothing), whether there are @code{pictures} (true, unless the option is false), how many times a second
-## (1/s) a @code{dense} table has, [] for none, and the @code{command} that the summary has, "" for the call itself.
+## (1/s) a @code{dense} table has, [] for none, the @code{command} that the summary has, "" for the call itself, and
+## whether the model is to be @code{exact} (see @code{exact_scene}).
 ## @end deftypefn
 
 function [scene, output] = take_options (scene, folder, options)
-  output = struct ("folder", folder, "pictures", true, "dense", [], "command", "");
+  output = struct ("folder", folder, "pictures", true, "dense", [], "command", "", "exact", false);
   if (mod (numel (options), 2) != 0)
     scene_error ("driver: options come as names and values, in pairs");
   endif
@@ -17,11 +18,11 @@ function [scene, output] = take_options (scene, folder, options)
     [name, value] = pair{:};
     if (strcmp (name, "output") && ischar (value))
       output.folder = user_path (value);
-    elseif (strcmp (name, "pictures"))
+    elseif (any (strcmp (name, {"pictures", "exact"})))
       if (! ((islogical (value) || isnumeric (value)) && isscalar (value) && any (value == [0 1])))
-        scene_error ("driver: pictures is %s: it takes true or false, PICTURES=yes or no", disp_name (value));
+        scene_error ("driver: %s is %s: it takes true or false, %s=yes or no", name, disp_name (value), toupper (name));
       endif
-      output.pictures = logical (value);
+      output.(name) = logical (value);
     elseif (strcmp (name, "dense"))
       if (! (isnumeric (value) && isscalar (value) && value > 0 && isfinite (value)))
         scene_error ("driver: dense is %s: it takes a positive number, of times a second", disp_name (value));
@@ -32,8 +33,8 @@ function [scene, output] = take_options (scene, folder, options)
     elseif (ischar (name) && isfield (fields, name))
       scene = setfield (scene, fields.(name){:}, value);
     else
-      scene_error ("driver: \"%s\" is not an option: those are %s, output, pictures, dense, command", disp_name (name), ...
-                   strjoin (fieldnames (fields).', ", "));
+      scene_error ("driver: \"%s\" is not an option: those are %s, output, pictures, dense, exact, command", ...
+                   disp_name (name), strjoin (fieldnames (fields).', ", "));
     endif
   endfor
 endfunction
@@ -45,7 +46,7 @@ endfunction
 %!test
 %! [scene, output] = take_options (struct (), "output/x", {"modes", [1 2], "output", "here"});
 %! assert (scene.model.modes, [1 2]);
-%! assert (output, struct ("folder", "here", "pictures", true, "dense", [], "command", ""));
+%! assert (output, struct ("folder", "here", "pictures", true, "dense", [], "command", "", "exact", false));
 %! assert (nthargout (2, @take_options, scene, "here", {"command", "make"}).command, "make");
 %! assert (nthargout (2, @take_options, scene, "here", {"dense", 1e3}).dense, 1e3);
 %! assert (nthargout (2, @take_options, scene, "here", {"pictures", false}).pictures, false);
@@ -54,5 +55,6 @@ endfunction
 %!error <driver: pictures is maybe: it takes true or false, PICTURES=yes or no>
 %! take_options (struct (), "", {"pictures", "maybe"});
 %!error <driver: dense is -1: it takes a positive number, of times a second> take_options (struct (), "", {"dense", -1});
+%!error <driver: exact is 3: it takes true or false, EXACT=yes or no> take_options (struct (), "", {"exact", 3});
 %!error <in pairs> take_options (struct (), "", {"modes"})
 %!error <driver: pictures is 2: it takes> take_options (struct (), "", {"pictures", 2});

@@ -28,3 +28,11 @@ endfunction
 %! [~, with] = kane_spin_up ("foreshortening");
 %! [~, without] = kane_spin_up ("none");
 %! assert (max (abs (with - without)) > 0.1); assert (isfinite (without));
+%!test # the geometrically exact rod lags by 0.573835 m at 6.762 s, as two independent codes have it
+%! scene = setfield (check_scene (setfield (spin_up (), "frames_per_second", 500)), "solver", "tolerance", 1e-4);
+%! scene.duration = 7;
+%! rod = exact_rod (scene, 8);
+%! theta = arrayfun (@(t) scene.rotation (t)(1), frame_times (scene));
+%! [largest, k] = max (rod.x(21,:).*sin (theta) - rod.y(21,:).*cos (theta));
+%! assert (largest, 0.573835, 1e-4);
+%! assert (frame_times (scene)(k), 6.762, 0.01);

@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{trial} =} exact_rod (@var{scene}, @var{modes}, @var{seconds})
 ## The top rung of the ladder of models: the geometrically exact rod (see @code{exact_scene}) of a checked scene, in
 ## [@var{modes} @var{modes}] polynomials.  A struct of x and y (21-by-m, m), the centreline at the frame times, and
-## count; empty where it has not what the scene has.  What takes more than so many @var{seconds} (default: any) is given
-## up: an error.
+## count; empty where it has not what the scene has.  What takes more than so many @var{seconds} (default: any) is
+## given up: an error.
 ## @end deftypefn
 
 function trial = exact_rod (scene, modes, seconds = Inf)

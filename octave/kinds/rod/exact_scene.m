@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{plane}, @var{lacks}] =} exact_scene (@var{scene})
 ## The geometrically exact rod of a checked scene of one straight rod: a scene of a rod on the upright plane (see
-## @code{surface_scene_fields}), with the same points, loads and times.  Where it has not what the scene has, @var{plane}
-## is empty, and @var{lacks} (a text) says what.
+## @code{surface_scene_fields}), with the same points, loads and times.  Where it has not what the scene has,
+## @var{plane} is empty, and @var{lacks} (a text) says what.
 ## @end deftypefn
 
 function [plane, lacks] = exact_scene (scene)
@@ -17,7 +17,7 @@ function [plane, lacks] = exact_scene (scene)
                   "frames_per_second", scene.frames_per_second, "frame_size", scene.frame_size, ...
                   "ends", {{"hinge", "free"}});
   plane.surface = struct ("name", "plane", "inclination", pi/2, "side", 0);
-  plane.view = struct ("elevation", 0, "azimuth", 0);
+  plane.view = struct ("elevation", 0, "azimuth", -90);
   plane.rod = struct ("length", scene.rod.length, "EA", section.EA, "EI", section.EI, "rhoA", section.rhoA, ...
                       "rhoI", section.rhoI, "damping", scene.rod.damping);
   plane.initial.angle = scene.initial.phi;

@@ -101,12 +101,10 @@ function own = describe_rod (scene, run)
   own.rotary_inertia = logical (scene.model.rotary_inertia);
 endfunction
 
-## a rod on a plane is exact, but has neither hub nor tip mass, joints, damping or a force on the way
 function text = instead_of_rod (scene)
-  text = welded_rods ();
-  more = ! isempty (scene.rotation) || ! isempty (scene.force) || ! isempty (scene.joints);
-  if (! more && scene.tip_mass == 0 && scene.rod.damping == 0)
-    text = "the rod on an upright plane, scene.surface.name = \"plane\", is geometrically exact";
+  text = "EXACT=yes, or the option \"exact\", takes the geometrically exact rod";
+  if (isempty (exact_scene (scene)))
+    text = welded_rods ();
   endif
 endfunction
 

@@ -48,7 +48,7 @@ function scene = check_surface_scene (given)
     "moment",     scene.moment,     1, "a number in N m",                  [], false
     "tip_moment", scene.tip_moment, 1, "a number in N m",                  [], false
     "force",      scene.force,      3, "3 numbers, F_x, F_y and F_z in N", [], false
-    "rotation",   scene.rotation,   3, "3 numbers, theta, theta_dot and theta_ddot in rad, rad/s and rad/s^2", [1 2], false
+    "rotation",   scene.rotation,   3, "3 numbers, theta, theta_dot and theta_ddot in rad, rad/s, rad/s^2", [1 2], false
   });
   if (! isempty (scene.rotation))
     refuse_unturned (scene);
@@ -60,8 +60,8 @@ endfunction
 ## where turning its coordinates moves a rod as a whole, and what holds the rod in the chart
 function refuse_unturned (scene)
   if (! any (strcmp (scene.surface.name, {"plane", "sphere"})))
-    scene_error (["rotation and the surface \"%s\" are both given: a hub turns the chart about its origin, which is a" ...
-                  " rotation of a \"plane\" or a \"sphere\""], scene.surface.name);
+    scene_error (["rotation and the surface \"%s\" are both given: a hub turns the chart about its origin, which is" ...
+                  " a rotation of a \"plane\" or a \"sphere\""], scene.surface.name);
   elseif (! any (strcmp (scene.ends, "clamped")))
     scene_error ("rotation is given and no end is \"clamped\": a hub holds an end, ends = {\"clamped\", \"free\"} say");
   elseif (strcmp (scene.initial.from, "equilibrium") && any (scene.rotation (0)(2:3)))
@@ -116,7 +116,8 @@ endfunction
 %! assert (scene.rod.EI_normal, 1); assert (scene.gravity, 9.81); assert (scene.force, [0 0 0]);
 %!error <surface is a char: it takes a struct> check_surface_scene (setfield (smallest (), "surface", "bowl"))
 %!error <rod.EA is -1: it takes positive number in N> check_surface_scene (setfield (smallest (), "rod", "EA", -1))
-%!error <rod.EA, rod.EI and rod.rhoA are given together> check_surface_scene (setfield (smallest (), "rod", struct ("length", 1, "EA", 1)))
+%!error <rod.EA, rod.EI and rod.rhoA are given together>
+%! check_surface_scene (setfield (smallest (), "rod", struct ("length", 1, "EA", 1)))
 %!error <colour is not a field of a scene on a surface> check_surface_scene (setfield (smallest (), "colour", 1))
 %!error <ends is a 1-by-1 cell: it takes two of "free", "hinge" and "clamped">
 %! check_surface_scene (setfield (smallest (), "ends", {"free"}))

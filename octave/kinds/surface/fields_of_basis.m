@@ -2,8 +2,9 @@
 ## @deftypefn {} {@var{fields} =} fields_of_basis (@var{base}, @var{z}, @var{z_dot}, @var{z_ddot}, @var{turn})
 ## What the surface's generated functions take of the rod's place: the chart's coordinates alpha1 and alpha2, their
 ## slopes _1, second derivatives _11, rates _dot, second rates _ddot, the slopes of the rates and of the second rates,
-## the second derivatives of the rates, and the undeformed rod's curvature kappa, where the @var{base} (see @code{surface_basis}) has its stations: a row a station, a column a time.  Where there is a
-## @var{turn}, the base is one of a chart that turns so (see @code{turned_fields}).
+## the second derivatives of the rates, and the undeformed rod's curvature kappa, where the @var{base} (see
+## @code{surface_basis}) has its stations: a row a station, a column a time.  Where there is a @var{turn}, the base is
+## one of a chart that turns so (see @code{turned_fields}).
 ## @end deftypefn
 
 function fields = fields_of_basis (b, z, z_dot, z_ddot, turn = [])

@@ -4,8 +4,8 @@
 ## there (see @code{surface_basis}).
 ##
 ## @var{loads}: stations (s-by-1, m), base there, values (a cell array of numbers or functions of t), and rows (which of
-## the 4s numbers force_1, force_2, force_3 and moment, each at all stations, they are).  @var{springs}: stations, base,
-## point (a row [x y z] each), stiffness, damping and rest (columns) and names.
+## the 4s numbers force_1, force_2, force_3 and moment, each at all stations, they are).  @var{springs}: stations,
+## base, point (a row [x y z] each), stiffness, damping and rest (columns) and names.
 ## @end deftypefn
 
 function [loads, springs] = held_on_surface (scene, base_at)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{Q}, @var{torque}, @var{force}] =} loads_on_surface (@var{system}, @var{t}, @var{z})
 ## Generalized forces @var{Q} (n-by-m) of the loads on a rod on a surface (see @code{surface_rod}) at the times @var{t}
-## and places @var{z} (n-by-m), m of them or several times as many, their @var{torque} about the chart's origin (1-by-m, N m;
-## of a rod in a hub) and the sum of their @var{force}s (3-by-m, N).
+## and places @var{z} (n-by-m), m of them or several times as many, their @var{torque} about the chart's origin
+## (1-by-m, N m; of a rod in a hub) and the sum of their @var{force}s (3-by-m, N).
 ## @end deftypefn
 
 function [Q, torque, force] = loads_on_surface (system, t, z)

@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{springs}, @var{distance}] =} springs_on_surface (@var{system}, @var{t}, @var{z}, @var{z_dot})
-## The springs and dampers from places in space to a rod on a surface (see @code{surface_rod}) at the m times
-## @var{t} and states: a struct of their generalized forces (n-by-m), torque about the chart's origin (1-by-m, N m; of a
-## rod in a hub), energy (J), what they dissipate (dissipated, W; 1-by-m both) and the sum of their
-## forces on the rod (force, 3-by-m, N); and the @var{distance} of their ends (m, a row a spring).
+## The springs and dampers from places in space to a rod on a surface (see @code{surface_rod}) at the m times @var{t}
+## and states: a struct of their generalized forces (n-by-m), torque about the chart's origin (1-by-m, N m; of a rod in
+## a hub), energy (J), what they dissipate (dissipated, W; 1-by-m both) and the sum of their forces on the rod (force,
+## 3-by-m, N); and the @var{distance} of their ends (m, a row a spring).
 ## @end deftypefn
 
 function [springs, distance] = springs_on_surface (system, t, z, z_dot)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{E} =} surface_energies (@var{system}, @var{t}, @var{z}, @var{z_dot})
 ## Kinetic energy, strain energy, with that of springs, potential energy of gravity (J) and the three components of the
-## angular momentum about the origin (kg m^2/s), a row each, of the rod of @code{surface_rod}: 6-by-m at the m times @var{t}
-## and states.
+## angular momentum about the origin (kg m^2/s), a row each, of the rod of @code{surface_rod}: 6-by-m at the m times
+## @var{t} and states.
 ## @end deftypefn
 
 function E = surface_energies (system, t, z, z_dot)

@@ -23,18 +23,21 @@ endfunction
 ## Ten times what the centreline without its last polynomials is off by: it is 1 to 70 times on the shipped scenes,
 ## fewer polynomials lock.
 function metres = left_out_of (reference, rung)
-  history = reference.history;
   model = reference.model.numbers;
-  length = sum (reference.model.weights);
-  stations = linspace (0, length, rows (history.x)).';
+  stations = linspace (0, sum (reference.model.weights), rows (reference.history.x)).';
   number = [0:model.modes(1)-1, 0:model.modes(2)-1].';
-  q = history.q.*(number < rung(1));
-  for i = 1:2
-    part = (i - 1)*model.modes(1) + (1:model.modes(i));
-    place.(sprintf ("alpha%d", i)) = rod_functions (model, i, stations, length)*q(part,:);
-  endfor
-  [without.x, without.y, without.z] = reference.model.surface.position (place);
-  metres = 10*distance (without, history);
+  q = reference.history.q;
+  all_of = placed (reference.model, stations, q);
+  metres = 10*distance (placed (reference.model, stations, q.*(number < rung(1))), all_of);
+endfunction
+
+## in its own chart, be it one that turns
+function points = placed (system, stations, q)
+  first = system.numbers.modes(1);
+  length = sum (system.weights);
+  place.alpha1 = rod_functions (system.numbers, 1, stations, length)*q(1:first,:);
+  place.alpha2 = rod_functions (system.numbers, 2, stations, length)*q(first+1:end,:);
+  [points.x, points.y, points.z] = system.surface.position (place);
 endfunction
 
 %!test # the fewest: with fewer the centreline is off by more than the tolerance

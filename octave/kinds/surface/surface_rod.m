@@ -1,18 +1,18 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{system} =} surface_rod (@var{scene})
 ## The rod of a checked scene (see @code{check_surface_scene}) on its surface as a system y_dot = rate (t, y, interval)
-## with the state y = (z; z_dot; W; D): coordinates in what the ends leave free, q = start + basis*z, their rates, work of
-## the loads, what is dissipated.
+## with the state y = (z; z_dot; W; D): coordinates in what the ends leave free, q = start + basis*z, their rates, work
+## of the loads, what is dissipated.
 ##
 ## Fields: n coordinates, numbers (of polynomials, modes, and sines), initial_state, place (see @code{place_rod}),
 ## residual (t, z, z_dot, z_ddot; see @code{surface_residual}), power (t, z, z_dot, z_ddot; see @code{surface_power}),
-## mass_matrix (z), tangent_stiffness and tangent_damping (t, z, z_dot, z_ddot; n-by-n-by-m), damped, rate, energies (t,
-## z, z_dot; see @code{surface_energies}), refuse_singular (z, when), size (z), the largest displacement (m) that goes with a
-## small change of z, turn (t, z) of a hub (3-by-m; see @code{turned_fields}),
-## fields (t, z, z_dot, z_ddot, stations) = place, as the surface's functions take it, at stations of
-## the rod, surface, rod and gravity (likewise), points and weights (p-by-1, m, of the quadrature), parts (what has mass:
-## base, weights and rod of the rod and of a tip mass, a rod at one place without stiffness), loads and springs (see
-## @code{held_on_surface}), breaks, state_scale, mass, stiffness (linear about the start), energy_floor (J), forms, auto, duration.
+## mass_matrix (z), tangent_stiffness and tangent_damping (t, z, z_dot, z_ddot; n-by-n-by-m), damped, rate, energies
+## (t, z, z_dot; see @code{surface_energies}), refuse_singular (z, when), size (z), the largest displacement (m) that
+## goes with a small change of z, turn (t, z) of a hub (3-by-m; see @code{turned_fields}), fields (t, z, z_dot, z_ddot,
+## stations) = place, as the surface's functions take it, at stations of the rod, surface, rod and gravity (likewise),
+## points and weights (p-by-1, m, of the quadrature), parts (what has mass: base, weights and rod of the rod and of a
+## tip mass, a rod at one place without stiffness), loads and springs (see @code{held_on_surface}), breaks,
+## state_scale, mass, stiffness (linear about the start), energy_floor (J), forms, auto, duration.
 ## @end deftypefn
 
 function system = surface_rod (scene)
@@ -118,7 +118,8 @@ endfunction
 %!                  "ends", {{"hinge", "free"}}, "model", struct ("modes", [4 5]), ...
 %!                  "tip_moment", 0.3, "force", [1 2 3]);
 %!  scene.initial = struct ("angle", 1);
-%!  scene.joints = {struct("kind", "spring", "stations", 0.6, "point", [1 2 3], "stiffness", 5, "damping", 3, "rest", 0.2)
+%!  scene.joints = {struct("kind", "spring", "stations", 0.6, "point", [1 2 3], "stiffness", 5, "damping", 3, ...
+%!                         "rest", 0.2)
 %!                  struct("kind", "force", "stations", 0.3, "value", [2 1 -1])
 %!                  struct("kind", "moment", "stations", 0.3, "value", 0.4)};
 %!  scene = check_surface_scene (scene);

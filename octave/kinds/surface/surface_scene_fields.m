@@ -3,17 +3,18 @@
 ## All fields of a scene of a rod on a surface, beside scene.surface (see @code{surface_functions}), as in
 ## @code{scene_fields}.
 ##
-## Loads are a moment at the rod's start and one at its end, about the surface's normal, and a force, fixed in space, at
-## its end or at force_station; joints are more of them, and springs from places in space (see @code{joint_kinds}:
+## Loads are a moment at the rod's start and one at its end, about the surface's normal, and a force, fixed in space,
+## at its end or at force_station; joints are more of them, and springs from places in space (see @code{joint_kinds}:
 ## forces and points have three numbers).  The section is a rectangle of width along the surface's normal by twice
 ## half_height, of a material, or what EA, EI, rhoA state, with EI_normal (EI), GJ (0), rhoI (0).  The rotation of a
-## hub turns the chart of the rod, with its clamped end, about the chart's origin: on a plane, about its normal, and on a
-## sphere, about the vertical axis.  Rotary inertia rhoI, per length, is that about the surface's normal; damping is Kelvin's and Voigt's time.  The rod starts undeformed, a
-## straight one on a geodesic, one with curvature bent in the tangent plane, from initial.point at initial.angle from
-## the chart's first direction to its second, unless initial.shape gives its place.  The first of the ends is that of xi = 0.  On a surface with a side the rod lies on that side of it
-## (1: where the normal points, -1: the other), 0: it cannot leave it.  The chart's coordinates along the rod are
-## model.modes polynomials and model.sines sines beside the start. A pixel's tolerance is half of one, where the rod
-## fills the frame's smaller side.
+## hub turns the chart of the rod, with its clamped end, about the chart's origin: on a plane, about its normal, and on
+## a sphere, about the vertical axis.  Rotary inertia rhoI, per length, is that about the surface's normal; damping is
+## Kelvin's and Voigt's time.  The rod starts undeformed, a straight one on a geodesic, one with curvature bent in the
+## tangent plane, from initial.point at initial.angle from the chart's first direction to its second, unless
+## initial.shape gives its place.  The first of the ends is that of xi = 0.  On a surface with a side the rod lies on
+## that side of it (1: where the normal points, -1: the other), 0: it cannot leave it.  The chart's coordinates along
+## the rod are model.modes polynomials and model.sines sines beside the start. A pixel's tolerance is half of one,
+## where the rod fills the frame's smaller side.
 ## @end deftypefn
 
 function fields = surface_scene_fields ()
@@ -70,7 +71,7 @@ endfunction
 %! fields = surface_scene_fields ();
 %! numbers = fields(cellfun (@(value) isnumeric (value) && ! isempty (value), fields(:,2)),[1 2]);
 %! expected = {"rod.length", NaN; "rod.lambda", 1.2e11; "rod.mu", 8.1e10; "rod.density", 7800
-%!             "rod.damping", 0; "tip_mass", 0; "gravity", 9.81; "moment", 0; "tip_moment", 0; "force", [0 0 0]; "initial.point", [0 0]
-%!             "initial.angle", 0; "duration", NaN; "frames_per_second", 50; "frame_size", [1280 720]
-%!             "view.elevation", 35; "view.azimuth", 30; "view.turning", 0; "model.sines", [0 0]};
+%!             "rod.damping", 0; "tip_mass", 0; "gravity", 9.81; "moment", 0; "tip_moment", 0; "force", [0 0 0]
+%!             "initial.point", [0 0]; "initial.angle", 0; "duration", NaN; "frames_per_second", 50
+%!             "frame_size", [1280 720]; "view.elevation", 35; "view.azimuth", 30; "view.turning", 0; "model.sines", [0 0]};
 %! assert (numbers, expected);
