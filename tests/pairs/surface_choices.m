@@ -36,6 +36,8 @@ function [base, choices] = surface_choices ()
     "tip mass", "some", {"tip_mass", 0.05}
     "joints", "none", {}
     "joints", "a spring, a force and a moment", {"joints", joints()}
+    "hub", "none", {}
+    "hub", "turns", {"rotation", @(t) [t^2, 2*t, 2]}
     "axis", "straight", {}
     "axis", "an arc", {"rod.curvature", 0.5}
     "axis", "a function", {"rod.curvature", @(xi) sin(9*xi)}
