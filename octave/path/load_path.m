@@ -3,8 +3,8 @@
 ## The equilibria of a checked scene of a @var{kind} (see @code{kind_of}) as its loads at the time @var{t} (s) grow
 ## (see @code{growing_loads}): from the first of the rising @var{factors} to the last, one path along its arc, through
 ## limit points, snap-through and snap-back (see @code{follow_path}), while there is time @var{left} () (s). Modes that
-## are not stated are as many as places within 1e-4 take in the first equilibrium, and in the last where there is one
-## (see @code{at_rest}).
+## are not stated are as many as places within 1e-4 take in the first equilibrium, in the last where there is one (see
+## @code{at_rest}), and before the first event (see @code{richer_path}).
 ##
 ## @var{found} is a struct of functions (how many of each sort, NaN: stated), end (a text: why the path ends), and, a
 ## column a point, each given factor and each event among them: factor, square (1/s^2, of the slowest undamped
@@ -15,9 +15,14 @@
 ## @end deftypefn
 
 function found = load_path (kind, scene, t, factors, left = @() Inf)
-  [path, first] = first_point (kind, growing_loads (scene, t), factors);
-  [points, found.end] = follow_path (path, first, left);
-  points = [points{:}];
+  scene = growing_loads (scene, t);
+  rich = rich_enough (kind, scene, factors);
+  do
+    [path, first] = first_point (rich, factors);
+    [points, found.end] = follow_path (path, first, left);
+    points = [points{:}];
+    rich = richer_path (kind, scene, path, points);
+  until (isempty (rich) || left () < 0)
   found.functions = path.functions;
   found.factor = [points.x](end,:);
   found.square = arrayfun (@(point) point.squares(1), points);
@@ -32,9 +37,8 @@ function found = load_path (kind, scene, t, factors, left = @() Inf)
   endfor
 endfunction
 
-function [path, point] = first_point (kind, scene, factors)
+function [path, point] = first_point (rich, factors)
   path = struct ("factors", factors, "range", range (factors));
-  rich = rich_enough (kind, scene, factors);
   path.functions = rich.functions;
   path.balance = rich.balance;
   [q, lambda] = equilibrium (path.balance, factors(1));

@@ -25,7 +25,7 @@ function balance = surface_at_rest (scene, system)
   balance.interpolation = [b.values{1}; b.values{2}];
   balance.supports = @(t, z, lambda) supports (system, t, z);
   balance.along = @(t, z, lambda) {surface_section(system, z, stations)};
-  balance.most = 16;  # more polynomials are too much alike
+  balance.most = 32;
   balance.bodies = {1:system.n};
   balance.names = {"rod"};
 endfunction
