@@ -24,7 +24,7 @@ function fields = fields_of_basis (b, z, z_dot, z_ddot, turn = [])
   fields.alpha2_11_dot = b.seconds{2}*z_dot;
   fields.alpha1_1_ddot = b.slopes{1}*z_ddot;
   fields.alpha2_1_ddot = b.slopes{2}*z_ddot;
-  fields.kappa = repmat (b.kappa, 1, columns (z));
+  fields.kappa = b.kappa(:,ones (1, columns (z)));
   if (! isempty (turn))
     fields.alpha1_11_ddot = b.seconds{1}*z_ddot;
     fields.alpha2_11_ddot = b.seconds{2}*z_ddot;

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{loads}, @var{springs}] =} held_on_surface (@var{scene}, @var{base_at})
-## What acts at places of the rod of a checked scene on a surface.  @var{base_at} (stations) are its base functions
-## there (see @code{surface_basis}).
+## What acts at places of the rod of a checked scene on a surface.  @var{base_at} (stations, weights) are its base
+## functions there with weights (see @code{surface_basis}).
 ##
 ## @var{loads}: stations (s-by-1, m), base there, values (a cell array of numbers or functions of t), and rows (which of
 ## the 4s numbers force_1, force_2, force_3 and moment, each at all stations, they are).  @var{springs}: stations,
@@ -21,7 +21,7 @@ function [loads, springs] = held_on_surface (scene, base_at)
   endfor
   held = held(cellfun (@(value) ! isnumeric (value) || any (value), held(:,2)),:);
   loads.stations = unique ([held{:,3}]).';
-  loads.base = base_at (loads.stations);
+  loads.base = base_at (loads.stations, ones (size (loads.stations)));
   loads.values = held(:,2);
   loads.rows = cell (rows (held), 1);
   places = numel (loads.stations);
@@ -34,7 +34,8 @@ function [loads, springs] = held_on_surface (scene, base_at)
   endfor
   list = of_kind ("spring");
   column = @(name) vertcat (zeros (0, 1), list.(name));
-  springs = struct ("stations", column ("stations"), "base", base_at (column ("stations")), ...
+  springs = struct ("stations", column ("stations"), "base", base_at (column ("stations"), ...
+                    ones (numel (list), 1)), ...
                     "point", vertcat (zeros (0, 3), list.point), "stiffness", column ("stiffness"), ...
                     "damping", column ("damping"), "rest", column ("rest"), "names", {{list.name}});
 endfunction
@@ -45,7 +46,7 @@ endfunction
 %!                  "model", struct ("modes", [3 3]), varargin{:});
 %!endfunction
 %!test # where there is nothing, and two springs
-%! base_at = @(stations) numel (stations);
+%! base_at = @(stations, weights) numel (stations);
 %! [loads, springs] = held_on_surface (check_surface_scene (on_level_plane ()), base_at);
 %! assert (isempty (loads.values)); assert (springs.base, 0); assert (size (springs.point), [0 3]);
 %! spring = struct ("kind", "spring", "stations", 1, "point", [1 2 3], "stiffness", 4);

@@ -25,7 +25,7 @@ function [Q, torque, force] = loads_on_surface (system, t, z)
   turn = system.turn (t, z);
   fields = fields_of_basis (b, z, z, z, turn);
   [d{1:4}] = system.surface.point_loads (fields, acting);
-  [Q, torque] = work_on_base (b, ones (places, 1), d, fields, turn);
+  [Q, torque] = work_on_base (b, d, fields, turn);
   force = [sum(of (1), 1); sum(of (2), 1); sum(of (3), 1)];
 endfunction
 

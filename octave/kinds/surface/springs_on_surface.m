@@ -19,8 +19,7 @@ function [springs, distance] = springs_on_surface (system, t, z, z_dot)
   point = struct ("point_1", s.point(:,1)*every, "point_2", s.point(:,2)*every, "point_3", s.point(:,3)*every);
   [distance, distance_dot, by_1, by_2] = system.surface.spring (fields, point);
   [energy, dissipated, tension] = spring_law (distance - s.rest, distance_dot, s.stiffness*every, s.damping*every);
-  [springs.forces, springs.torque] = work_on_base (s.base, ones (size (s.rest)), {-tension.*by_1, -tension.*by_2}, ...
-                                                   fields, turn);
+  [springs.forces, springs.torque] = work_on_base (s.base, {-tension.*by_1, -tension.*by_2}, fields, turn);
   springs.energy = sum (energy, 1);
   springs.dissipated = sum (dissipated, 1);
   [x, y, up] = system.surface.position (fields);

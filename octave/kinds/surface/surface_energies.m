@@ -12,7 +12,7 @@ function E = surface_energies (system, t, z, z_dot)
   for part = system.parts
     [density{1:6}] = system.surface.energies (fields_of_basis (part.base, z, z_dot, z_dot, turn), part.rod, ...
                                                 system.gravity);
-    E += cell2mat (cellfun (@(d) part.weights.'*d, density.', "uniformoutput", false));
+    E += cell2mat (cellfun (@(d) part.base.weights.'*d, density.', "uniformoutput", false));
   endfor
 endfunction
 %!test # a rod that turns about its start on the level plane

@@ -20,14 +20,14 @@ function M = mass_of_part (part, surface, z)
     [turning{:}] = surface.turning (fields);
   endif
   for k = 1:columns (z)
-    of_state = @(density) part.weights.*density(:,k);
+    of_state = @(density) part.base.weights.*density(:,k);
     mixed = b.values{1}.'*(of_state (densities{2}).*b.values{2});
     own = b.values{1}.'*(of_state (densities{1}).*b.values{1}) + b.values{2}.'*(of_state (densities{3}).*b.values{2}) ...
           + mixed + mixed.';
     if (part.rod.rhoI > 0)
       rate = turning{1}(:,k).*b.values{1} + turning{2}(:,k).*b.values{2} ...
              + turning{3}(:,k).*b.slopes{1} + turning{4}(:,k).*b.slopes{2};
-      own += rate.'*(part.rod.rhoI*part.weights.*rate);
+      own += rate.'*(part.rod.rhoI*part.base.weights.*rate);
     endif
     M(:,:,k) = own;
   endfor

@@ -11,7 +11,7 @@ function power = surface_power (system, t, z, z_dot, z_ddot)
   if (rod.rod.damping > 0)
     fields = fields_of_basis (rod.base, z, z_dot, z_dot, turn);
     [~, ~, ~, ~, ~, ~, density] = system.surface.damping (fields, rod.rod);
-    dissipated += rod.weights.'*density;
+    dissipated += rod.base.weights.'*density;
   endif
   [loads, torque] = loads_on_surface (system, t, z);
   power = [sum(z_dot.*loads, 1); dissipated];

@@ -6,14 +6,21 @@
 
 function [R, torque] = surface_residual (system, t, z, z_dot, z_ddot)
   turn = system.turn (t, z);
-  [R, torque] = loads_on_surface (system, t, z);
-  springs = springs_on_surface (system, t, z, z_dot);
-  R = -R - springs.forces;
-  torque = -torque - springs.torque;
+  R = torque = 0;
+  if (system.loaded)
+    [Q, about] = loads_on_surface (system, t, z);
+    R = -Q;
+    torque = -about;
+  endif
+  if (system.sprung)
+    springs = springs_on_surface (system, t, z, z_dot);
+    R -= springs.forces;
+    torque -= springs.torque;
+  endif
   for part = system.parts
     fields = fields_of_basis (part.base, z, z_dot, z_ddot, turn);
     d = densities_of (system.surface, fields, part.rod, system.gravity);
-    [Q, about] = work_on_base (part.base, part.weights, d, fields, turn);
+    [Q, about] = work_on_base (part.base, d, fields, turn);
     R += Q;
     torque += about;
   endfor

@@ -11,8 +11,8 @@
 ## goes with a small change of z, turn (t, z) of a hub (3-by-m; see @code{turned_fields}), fields (t, z, z_dot, z_ddot,
 ## stations) = place, as the surface's functions take it, at stations of the rod, surface, rod and gravity (likewise),
 ## points and weights (p-by-1, m, of the quadrature), parts (what has mass: base, weights and rod of the rod and of a
-## tip mass, a rod at one place without stiffness), loads and springs (see @code{held_on_surface}), breaks,
-## state_scale, mass, stiffness (linear about the start), energy_floor (J), forms, auto, duration.
+## tip mass, a rod at one place without stiffness), loads and springs (see @code{held_on_surface}; loaded, sprung: are
+## there any), breaks, state_scale, mass, stiffness (linear about the start), energy_floor (J), forms, auto, duration.
 ## @end deftypefn
 
 function system = surface_rod (scene)
@@ -28,18 +28,20 @@ function system = surface_rod (scene)
   system.rod = r;
   system.gravity = scene.gravity;
   system.duration = scene.duration;
-  base_at = @(stations) surface_basis (scene, system.place, stations);
-  inside = base_at (system.points);
-  system.parts = struct ("base", inside, "weights", system.weights, "rod", r);
+  base_at = @(stations, weights) surface_basis (scene, system.place, stations, weights);
+  inside = base_at (system.points, system.weights);
+  system.parts = struct ("base", inside, "rod", r);
   if (scene.tip_mass > 0)
     point = struct ("rhoA", scene.tip_mass, "rhoI", 0, "EA", 0, "EI", 0, "EI_normal", 0, "GJ", 0, "damping", 0);
-    system.parts(2) = struct ("base", base_at (r.length), "weights", 1, "rod", point);
+    system.parts(2) = struct ("base", base_at (r.length, 1), "rod", point);
   endif
   [system.loads, system.springs] = held_on_surface (scene, base_at);
+  system.loaded = ! isempty (system.loads.values);
+  system.sprung = ! isempty (system.springs.stiffness);
   system.damped = any ([r.damping; system.springs.damping] > 0);
   system.turn = turning_of (scene);
-  system.fields = @(t, z, z_dot, z_ddot, stations) fields_of_basis (base_at (stations), z, z_dot, z_ddot, ...
-                                                                    system.turn (t, z));
+  system.fields = @(t, z, z_dot, z_ddot, stations) fields_of_basis (base_at (stations, []), z, z_dot, ...
+                                                                    z_ddot, system.turn (t, z));
   system.residual = @(t, z, z_dot, z_ddot) surface_residual (system, t, z, z_dot, z_ddot);
   system.power = @(t, z, z_dot, z_ddot) surface_power (system, t, z, z_dot, z_ddot);
   system.mass_matrix = @(z) surface_mass (system, z);

@@ -17,7 +17,7 @@ function [R, torque] = surface_support (system, times, states)
   for part = system.parts
     [density{1:3}] = system.surface.support (fields_of_basis (part.base, z, z_dot, z_ddot, turn), part.rod, ...
                                                system.gravity);
-    R += cell2mat (cellfun (@(d) part.weights.'*d, density.', "uniformoutput", false));
+    R += cell2mat (cellfun (@(d) part.base.weights.'*d, density.', "uniformoutput", false));
   endfor
   [~, torque] = system.residual (times, z, z_dot, z_ddot);
 endfunction

@@ -1,32 +1,28 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{Q}, @var{torque}] =} work_on_base (@var{base}, @var{weights}, @var{d}, @var{fields}, @var{turn})
+## @deftypefn {} {[@var{Q}, @var{torque}] =} work_on_base (@var{base}, @var{d}, @var{fields}, @var{turn})
 ## Generalized forces @var{Q} (n-by-m) of virtual work per variation of the chart's coordinates, and of their first and
 ## second derivatives along the rod, @var{d} (a cell of 2, 4 or 6 densities, p-by-m), where the @var{base} (see
-## @code{surface_basis}) has its stations, with their @var{weights} (p-by-1); and where there is a @var{turn} of the
-## chart (see @code{turned_fields}), to which the @var{fields} belong, the @var{torque} (1-by-m) about its origin.
+## @code{surface_basis}) has its stations; and where there is a @var{turn} of the chart (see @code{turned_fields}), to
+## which the @var{fields} belong, the @var{torque} (1-by-m) about its origin.
 ## @end deftypefn
 
-function [Q, torque] = work_on_base (b, weights, d, fields, turn)
-  of = {b.values{:}, b.slopes{:}, b.seconds{:}};
+function [Q, torque] = work_on_base (b, d, fields, turn)
   torque = 0;
   if (! isempty (turn))
-    theta = ones (rows (weights), 1)*turn(1,:);
+    theta = ones (rows (b.weights), 1)*turn(1,:);
     places = {fields.alpha1, fields.alpha2, fields.alpha1_1, fields.alpha2_1, fields.alpha1_11, fields.alpha2_11};
     for k = 1:2:numel (d)
       [d{k}, d{k+1}, about] = chart_work (theta, places{[k k+1]}, d{[k k+1]});
-      torque += weights.'*about;
+      torque += b.weights.'*about;
     endfor
   endif
-  Q = 0;
-  for k = 1:numel (d)
-    Q += of{k}.'*(weights.*d{k});
-  endfor
+  Q = b.onto{numel (d)/2}*vertcat (d{:});
 endfunction
 
 %!test # a force of 1 and 2 at (3, 4), and a couple on the slope, in a chart that has turned by a quarter
-%! base = struct ("values", {{1, 0}}, "slopes", {{0, 1}}, "seconds", {{0, 0}});
+%! base = struct ("weights", 1, "onto", {{[1 0], [1 0 0 1], [1 0 0 1 0 0]}});
 %! fields = struct ("alpha1", 3, "alpha2", 4, "alpha1_1", 0, "alpha2_1", 1, "alpha1_11", 0, "alpha2_11", 0);
-%! [Q, torque] = work_on_base (base, 1, {1, 2, 0.5, 0}, fields, [pi/2; 0; 0]);
+%! [Q, torque] = work_on_base (base, {1, 2, 0.5, 0}, fields, [pi/2; 0; 0]);
 %! assert (torque, 3*2 - 4*1 - 0.5, 1e-15);
 %! assert (Q, 2 - 0.5, 1e-15);
-%! assert (work_on_base (base, 2, {1, 2, 0.5, 3}, fields, []), 2 + 6);
+%! assert (work_on_base (base, {1, 2, 0.5, 3}, fields, []), 1 + 3);
