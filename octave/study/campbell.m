@@ -1,11 +1,11 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{found} =} campbell (@var{scene}, @var{option}, @var{value}, @dots{})
-## Campbell's diagram of one rod, in a hub or free to turn about its hinge, or of a mechanism whose bodies all turn
-## about the point that holds them (see @code{rotation_centre}): the frequencies of vibrations about steady rotation
-## against the angular velocity, without weight and loads.  Arguments as for @code{driver}, and "speeds": angular
-## velocities (rad/s, rising; default: 13 from 0 to what the scene's hub reaches).  What is taken without stated modes
-## is in @code{steady_rod} and @code{steady_mechanism}, with foreshortening: without it a rod loses its stiffness as it
-## turns.
+## Campbell's diagram of one rod, in a hub or free to turn about its hinge, of a rod on a surface in a hub, or of a
+## mechanism whose bodies all turn about the point that holds them (see @code{rotation_centre}): the frequencies of
+## vibrations about steady rotation against the angular velocity, without weight and loads.  Arguments as for
+## @code{driver}, and "speeds": angular velocities (rad/s, rising; default: 13 from 0 to what the scene's hub
+## reaches).  What is taken without stated modes is in @code{steady_rod}, @code{steady_surface} and
+## @code{steady_mechanism}, with foreshortening: without it a rod loses its stiffness as it turns.
 ##
 ## Branches are the six slowest of what vibrates at the first speed, followed by the modal assurance criterion of
 ## complex modes (Allemang and Brown 1982) in steps of a fiftieth of the range at most.  Leaves campbell.csv,
@@ -97,7 +97,7 @@ function [order, best] = followed (shapes, last, M)
   endfor
 endfunction
 
-%!error <takes rods in a hub or at a hinge, not a scene of the kind "surface"> campbell ("bowl", "speeds", [0 1])
+%!error <no steady rotation: a rod on a surface turns in a hub> campbell ("bowl", "speeds", [0 1])
 %!error <the scene has no rotation: state the speeds> campbell ("swing")
 %!error <no steady rotation: .* holds a body to another point of the ground> campbell ("four_bar", "speeds", [0 1])
 %!error <speeds is -1: it takes rising angular velocities> campbell ("spin_up", "speeds", -1)

@@ -30,7 +30,7 @@ function kind = surface_kind ()
   kind.literal = @(scene) [];
   kind.sized = @model_of_size;
   kind.at_rest = @surface_at_rest;
-  kind.turning = [];
+  kind.turning = @steady_surface;
   kind.reference = {"radau", 1e-10};
 endfunction
 
