@@ -58,5 +58,5 @@ endfunction
 %! assert (result.history.t(end), 1.8);
 %! assert (result.summary.method, "waveform");
 %!error <model.modes is "many": it takes "auto" or two numbers of modes \[N1 N2\]> driver ("paper", "modes", "many")
-%!error <"speed" is not an option: those are modes, solver, tolerance, size, output, pictures, dense, command>
+%!error <"speed" is not an option: those are modes, solver, tolerance, size, output, pictures, dense, exact, command>
 %! driver ("paper", "speed", 3);

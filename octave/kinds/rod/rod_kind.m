@@ -115,14 +115,13 @@ endfunction
 %! assert (note, "stiffening = \"auto\" is none where numbers of modes are stated");
 %! assert (nthargout (2, stated, check_scene (setfield (arc_pendulum (), "model", "modes", [1 2]))), "");
 %! assert (stated (check_scene (paper ())), []);
-%!test # the exact rod on a plane is spoken of where it can be had
+%!test # the exact rod is spoken of where it can be had
 %! instead = @(varargin) rod_kind ().instead (check_scene (setfield (paper (), varargin{:})));
-%! plane = @(text) ! isempty (strfind (text, "upright plane"));
-%! assert (plane (instead ("zoom", 1)));
-%! assert (! plane (instead ("tip_mass", 1)));
-%! assert (! plane (instead ("rod", "damping", 1e-5)));
-%! assert (! plane (instead ("force", @(t) [1 0])));
-%! assert (! plane (rod_kind ().instead (check_scene (spin_up ()))));
+%! exact = @(text) ! isempty (strfind (text, "EXACT=yes"));
+%! assert (exact (instead ("tip_mass", 1)));
+%! assert (exact (rod_kind ().instead (check_scene (spin_up ()))));
+%! assert (! exact (instead ("initial", "V2", 1e-3)));
+%! assert (! isempty (strfind (instead ("initial", "V2", 1e-3), "weld")));
 %!test # how it asks for a balance, far richer models, and what is said of a run
 %! kind = rod_kind ();
 %! tighter = @(off) kind.tighter (struct ("tolerance", 1), off).tolerance;
