@@ -2,9 +2,8 @@
 ## @deftypefn {} {@var{spectrum} =} spectrum_of_tip (@var{model}, @var{motion}, @var{step}, @var{modes}, @
 ##   @var{frequencies}, @var{mass})
 ## The amplitude spectra of the tip's deflection along and across the tangent at the start of a rod of a @var{model},
-## in a @var{motion} (q, n-by-m, and phi, 1-by-m) that is sampled every @var{step} (s): a struct of @code{label},
-## @code{unit}, @code{names}, @code{frequency} (1-by-K, Hz), @code{values} (2-by-K, m), @code{predicted} (1-by-n, Hz:
-## those of the @var{frequencies}, 1-by-n, Hz, that are seen), and @code{note}, a text that says how it was sampled.
+## in a @var{motion} (q, n-by-m, and phi, 1-by-m) that is sampled every @var{step} (s), as @code{tip_spectra} returns
+## them, the @var{frequencies} (1-by-n, Hz) predicted.
 ##
 ## What lies beyond half the rate is not folded back: of the @var{modes} (of q, or of q and phi, normalised with the
 ## @var{mass}), those that are too fast are left out, and the note says so.  The window is Hann's; a harmonic
@@ -14,21 +13,7 @@
 function spectrum = spectrum_of_tip (model, motion, step, modes, frequencies, mass)
   highest = 1/(2*step);
   slow = modes(:,frequencies < highest);
-  deflection = deflection_of (model, motion, slow*(slow.'*mass));
-  [frequency, values] = amplitude_spectrum (deflection, step);
-  predicted = sort (frequencies(frequencies > 1e-6*max ([frequencies, 1])));
-  seen = predicted < highest;
-  spectrum = struct ("label", "spectra of the tip from tangent", "unit", "m", "names", {{"along", "across"}}, ...
-                     "frequency", frequency, "values", values, "predicted", predicted(seen));
-  spectrum.note = ["sampled at " in_hertz(2*highest)];
-  if (! all (seen))
-    spectrum.note = sprintf ("%s; %d predicted ones lie beyond %s", spectrum.note, sum (! seen), in_hertz (highest));
-  endif
-endfunction
-
-function text = in_hertz (frequency)
-  [scale, unit] = unit_prefix (frequency, "Hz");
-  text = sprintf ("%.4g %s", frequency/scale, unit);
+  spectrum = tip_spectra (deflection_of (model, motion, slow*(slow.'*mass)), step, frequencies);
 endfunction
 
 ## of some modes alone, by the projector on them

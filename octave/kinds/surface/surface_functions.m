@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{surface} =} surface_functions (@var{given})
 ## The derived functions of the surface @var{given}, a struct of its name and its parameters: a struct of position,
-## normal, laid, mass, balance, damping, turning, rotary_balance, energies, strains, section, point_loads, spring,
-## reaction, angle, direction and support, which take the arguments of generated/surface_NAME_*.m but for the surface,
-## with arrays of any size.
+## tangent, normal, laid, mass, balance, damping, turning, rotary_balance, energies, strains, section, point_loads,
+## spring, reaction, angle, direction and support, which take the arguments of generated/surface_NAME_*.m but for the
+## surface, with arrays of any size.
 ##
 ## Surfaces of one's own (`make derive SURFACE=file') are found in output/surfaces/.  Unknown names, missing and
 ## unknown parameters and such that are not positive are errors.
@@ -23,7 +23,7 @@ function surface = surface_functions (given)
                  given.name, names_of_surfaces (root, own));
   endif
   parameters = values_of (rmfield (given, "name"), parameters_of (given.name), given.name);
-  for kind = {"position", "normal", "laid", "mass", "balance", "damping", "turning", "rotary_balance", ...
+  for kind = {"position", "tangent", "normal", "laid", "mass", "balance", "damping", "turning", "rotary_balance", ...
               "energies", "strains", "section", "point_loads", "spring", "reaction", "angle", "direction", "support"}
     derived = str2func (sprintf ("surface_%s_%s", given.name, kind{1}));
     surface.(kind{1}) = @(varargin) derived (varargin{:}, parameters{:});
