@@ -2,7 +2,7 @@
 ## @deftypefn {} {@var{table} =} model_ladder (@var{scene}, @var{option}, @var{value}, @dots{})
 ## The ladder of models of a scene, error against cost: the points of each rung around the one that @code{choose} takes
 ## against those of a far richer model, or of the geometrically exact rod where that can be had (see
-## @code{exact_runs}); its own error is its distance from the far richer model.  Arguments as for @code{driver}, and
+## @code{exact_runs}); its own error is what more polynomials change.  Arguments as for @code{driver}, and
 ## "budget": the seconds that it may take (60).  Modes are chosen.
 ##
 ## Leaves models.csv, models.svg and models.png in the folder of the scene's output.  @var{table} is a struct array of
@@ -40,7 +40,11 @@ function table = measure_all (kind, scene, ladder, left)
   if (! isempty (exact))
     ladder.name = @(rung) exact.name;
     ladder.label = @(rung) "exact";
-    table = [table, rung_row(ladder, choice.rung, exact.count, distance (exact, richest), [])];
+    off = distance (exact, richest);
+    if (converged)
+      off = exact.off;
+    endif
+    table = [table, rung_row(ladder, choice.rung, exact.count, off, [])];
   endif
 endfunction
 
