@@ -2,10 +2,10 @@
 ## @deftypefn {} {@var{history} =} measure_surface (@var{system}, @var{scene}, @var{times}, @var{states})
 ## What is observed of a rod on a surface at the @var{times} (1-by-m): t, tip and mid (3-by-m, m, of the tip and of
 ## mid-span), psi and tip_psi (1-by-m, rad, the tangent's angles at its start and its tip in the tangent plane, from
-## the chart's first direction to its second, without jumps of 2 pi), q (N-by-m) with q_names, T, U, Z, W, D,
-## balance and energy_floor (J), angular_momentum about the origin (3-by-m), reaction (p-by-m, N/m, see
-## @code{normal_reaction}), support (3-by-m, N, see @code{surface_support}), and the centreline x, y, z (101-by-m, m)
-## with the unit normals n_1, n_2, n_3 there.
+## the chart's first direction to its second, without jumps of 2 pi), q (N-by-m) with q_names, T, U, Z, W, D, balance
+## and energy_floor (J), angular_momentum about the origin (3-by-m), reaction (p-by-m, N/m, see
+## @code{normal_reaction}), tip_reaction (N, that to a tip mass; a row, or none), support (3-by-m, N, see
+## @code{surface_support}), and the centreline x, y, z (101-by-m, m) with the unit normals n_1, n_2, n_3 there.
 ## @end deftypefn
 
 function history = measure_surface (system, scene, times, states)
@@ -26,6 +26,7 @@ function history = measure_surface (system, scene, times, states)
   history.energy_floor = system.energy_floor;
   history.reaction = normal_reaction (system, times, z, z_dot);
   [history.support, history.torque] = surface_support (system, times, states);
+  history.tip_reaction = reaction_to_tip (system, times, z, z_dot);
   stations = linspace (0, scene.rod.length, 101).';
   fields = system.fields (times, z, z_dot, z_dot, stations);
   [history.x, history.y, history.z] = system.surface.position (fields);
@@ -37,6 +38,15 @@ function history = measure_surface (system, scene, times, states)
   psi = unwrap (unwrap (system.surface.angle (fields), [], 1), [], 2);
   [history.psi, history.tip_psi] = deal (psi(1,:), psi(end,:));
   history.largest_strain = max (max (abs (system.surface.strains (fields))));
+endfunction
+
+## along the normal, N, to a tip mass; empty without one
+function force = reaction_to_tip (system, t, z, z_dot)
+  force = zeros (0, columns (z));
+  for part = system.parts(2:end)
+    force = system.surface.reaction (fields_of_basis (part.base, z, z_dot, z_dot, system.turn (t, z)), part.rod, ...
+                                     system.gravity);
+  endfor
 endfunction
 
 function names = numbered (name, model, i)

@@ -25,7 +25,12 @@ function surface = surface_functions (given)
   parameters = values_of (rmfield (given, "name"), parameters_of (given.name), given.name);
   for kind = {"position", "tangent", "normal", "laid", "mass", "balance", "damping", "turning", "rotary_balance", ...
               "energies", "strains", "section", "point_loads", "spring", "reaction", "angle", "direction", "support"}
-    derived = str2func (sprintf ("surface_%s_%s", given.name, kind{1}));
+    name = sprintf ("surface_%s_%s", given.name, kind{1});
+    if (! exist (name, "file"))
+      scene_error ("surface.name is \"%s\": an earlier `make derive SURFACE=file' left no %s: derive it again", ...
+                   given.name, name);
+    endif
+    derived = str2func (name);
     surface.(kind{1}) = @(varargin) derived (varargin{:}, parameters{:});
   endfor
 endfunction
