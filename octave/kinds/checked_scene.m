@@ -40,7 +40,7 @@ endfunction
 %! assert (checked_scene ("swing", {}, @(scene) setfield (scene, "duration", 2)).duration, 2);
 %!test # exactly: on the plane, or not at all
 %! [scene, kind, output] = checked_scene ("swing", {"exact", true});
-%! assert (scene.surface.name, "plane"); assert (kind.name, "surface"); assert (output.folder, "output/swing");
+%! assert (scene.surface.name, "plane"); assert (kind.name, "exact"); assert (output.folder, "output/swing");
 %!error <exact is for one straight rod on a hinge or in a hub, the scene is of the kind "mechanism">
 %! checked_scene ("double_pendulum", {"exact", true});
 %!error <exact: the geometrically exact rod lacks what the scene has: a curved axis>

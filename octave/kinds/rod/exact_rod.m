@@ -15,7 +15,7 @@ function trial = exact_rod (scene, modes, seconds = Inf)
   plane.model.modes = [modes modes];
   plane.solver.name = "auto";
   plane.solver.tolerance = scene.solver.tolerance/2;
-  plane = check_surface_scene (plane);
+  plane = exact_kind ().check (plane);
   system = surface_rod (plane);
   solver = struct ("name", "auto", "tolerance", plane.solver.tolerance, "seconds", seconds);
   times = frame_times (plane);

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{plane}, @var{lacks}] =} exact_scene (@var{scene})
 ## The geometrically exact rod of a checked scene of one straight rod: a scene of a rod on the upright plane (see
-## @code{surface_scene_fields}), with the same points, loads and times.  Where it has not what the scene has,
+## @code{exact_kind}), with the same points, loads and times.  Where it has not what the scene has,
 ## @var{plane} is empty, and @var{lacks} (a text) says what.
 ## @end deftypefn
 
@@ -16,6 +16,7 @@ function [plane, lacks] = exact_scene (scene)
                   "moment_breaks", scene.moment_breaks, "duration", scene.duration, ...
                   "frames_per_second", scene.frames_per_second, "frame_size", scene.frame_size, ...
                   "ends", {{"hinge", "free"}});
+  plane.exact = true;
   plane.surface = struct ("name", "plane", "inclination", pi/2, "side", 0);
   plane.view = struct ("elevation", 0, "azimuth", -90);
   plane.rod = struct ("length", scene.rod.length, "EA", section.EA, "EI", section.EI, "rhoA", section.rhoA, ...

@@ -1,0 +1,55 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{kind} =} exact_kind ()
+## The geometrically exact rod in the plane, among the kinds of scenes (see @code{kind_of}): a rod on the upright plane
+## that @code{exact_scene} has made of one straight rod, with the columns of a plane's rod.
+## @end deftypefn
+
+function kind = exact_kind ()
+  kind = surface_kind ();
+  kind.name = "exact";
+  kind.has = @(given) isfield (given, "exact");
+  kind.check = @(given) setfield (check_surface_scene (rmfield (given, "exact")), "exact", true);
+  kind.describe = @describe_exact;
+  kind.columns = @exact_columns;
+  kind.drawing = @exact_drawing;
+endfunction
+
+function own = describe_exact (scene, run)
+  own = surface_kind ().describe (scene, run);
+  own.model = sprintf ("geometrically exact, %d + %d polynomials", own.modes);
+endfunction
+
+function drawing = exact_drawing (scene, run)
+  drawing = surface_kind ().drawing (scene, run);
+  for part = {"panels", "strips"}
+    tip = strcmp ({drawing.(part{1}).label}, "tip");
+    drawing.(part{1})(tip).names = strrep (drawing.(part{1})(tip).names, "z", "y");
+  endfor
+endfunction
+
+## the plane's second direction is upwards; what is across the plane is left out
+function [names, table] = exact_columns (scene, run)
+  [names, table] = surface_columns (scene, run);
+  words = strtok (names, " ");
+  across = ismember (words, {"tip_y", "mid_y", "reaction_y", "angular_momentum_x", "angular_momentum_y", ...
+                             "angular_momentum_z", "smallest_reaction", "largest_reaction", "tip_reaction"});
+  names = regexprep (names(! across), '^(tip|mid|reaction)_z', '$1_y');
+  table = table(! across,:);
+endfunction
+
+%!function [names, table, result, panels] = written (scene, exact)
+%!  evalc ("result = driver (scene, 'output', '', 'exact', exact, 'tolerance', 1e-5);");
+%!  kind = kind_of (result.scene);
+%!  [names, table] = kind.columns (result.scene, result);
+%!  panels = kind.drawing (result.scene, result).panels;
+%!endfunction
+%!test # its columns are those of the rod in the plane, and the same motion
+%! scene = setfield (setfield (swing (), "duration", 0.05), "frames_per_second", 100);
+%! [names, table, result, panels] = written (scene, true);
+%! [plane_names, plane_table] = written (scene, false);
+%! for name = {"t [s]", "tip_x [m]", "tip_y [m]", "psi [rad]", "mid_y [m]", "tip_psi [rad]", "reaction_x [N]", "T [J]"}
+%!   values = table(strcmp (names, name{1}),:);
+%!   assert (values, plane_table(strcmp (plane_names, name{1}),:), 1e-3*max (abs (values)) + 1e-9);
+%! endfor
+%! assert (result.summary.model(1:19), "geometrically exact"); assert (panels(1).names, {"x", "y"});
+%! assert (any (strncmp (names, "reaction_y", 10))); assert (! any (strncmp (names, "tip_z", 5)));
