@@ -7,8 +7,8 @@
 ## "auto"), "solver" (a name), "tolerance" (m, or "pixel"), "size" ([W H] of a frame in pixels); "output" is the folder
 ## to write into (default output/NAME; "" writes nothing), and "pictures" (true or false) says whether there are to be
 ## more than history.csv and summary.json.  "dense" (1/s) adds dense.csv, a table like history.csv of so many times a
-## second; "exact" (true or false) takes the geometrically exact rod for one straight rod; "command" is what
-## summary.json has to type for the run, where that is not this call.
+## second; "exact" (true, or "auto": where what all models drop passes the tolerance) takes the geometrically exact rod
+## for one straight rod; "command" is what summary.json has to type for the run, where that is not this call.
 ##
 ## @var{result}, where it is asked for, is the run (see @code{kind_of}) with its scene and
 ## summary.
@@ -25,10 +25,10 @@ function result = driver (scene = "paper", varargin)
   endif
 endfunction
 
-function result = run_scene (scene, options)
+function result = run_scene (given, options)
   start = tic ();
-  command = repeat_command (scene, options);
-  [scene, kind, output, name] = checked_scene (scene, options);
+  command = repeat_command (given, options);
+  [scene, kind, output, name] = checked_scene (given, options);
   announce_breaks (scene.probed);
   prepare_output (output, scene);
 
@@ -42,6 +42,12 @@ function result = run_scene (scene, options)
     rethrow (err);
   end_try_catch
   summary = summarise (kind, name, scene, run, choice);
+  if (strcmp (output.exact, "auto") && passes_all_models (summary, kind, scene))
+    say ("%s: all its models drop %.2g m, the tolerance is %.2g m: the geometrically exact rod", name, ...
+         summary.dropped_m, scene.solver.tolerance);
+    result = run_scene (given, [options, {"exact", true}]);
+    return;
+  endif
   summary.command = command;
   if (! isempty (output.command))
     summary.command = output.command;
@@ -52,6 +58,11 @@ function result = run_scene (scene, options)
   result.summary = summary;
 endfunction
 
+function yes = passes_all_models (summary, kind, scene)
+  yes = ! isempty (summary.dropped_m) && summary.dropped_m > scene.solver.tolerance ...
+        && ! isempty (kind.exactly (scene));
+endfunction
+
 %!test # a short run without files
 %! result = driver ("paper", "modes", [0 0], "output", "");
 %! assert (numel (result.history.t), 91);
@@ -60,3 +71,11 @@ endfunction
 %!error <model.modes is "many": it takes "auto" or two numbers of modes \[N1 N2\]> driver ("paper", "modes", "many")
 %!error <"speed" is not an option: those are modes, solver, tolerance, size, output, pictures, dense, exact, command>
 %! driver ("paper", "speed", 3);
+%!test # the exact rod where all other models are further off than the tolerance, and only there
+%! scene = struct ("rod", struct ("length", 1, "width", 0.02, "half_height", 0.001), "gravity", 0, "duration", 0.4);
+%! scene.moment = @(t) 1.6*sin (pi*t/0.8).^2;
+%! scene.model.energy = "uniaxial";
+%! for row = {1e-6, "exact"; 1e-3, "rod"}.'
+%!   evalc ("result = driver (setfield (scene, 'solver', 'tolerance', row{1}), 'output', '', 'exact', 'auto');");
+%!   assert (kind_of (result.scene).name, row{2});
+%! endfor

@@ -13,7 +13,7 @@ function [scene, kind, output, name] = checked_scene (which, options, change = @
   scene = change (scene);
   kind = kind_of (scene);
   scene = kind.check (scene);
-  if (output.exact)
+  if (isequal (output.exact, true))
     [scene, kind] = exactly (scene, kind);
   endif
   if (isempty (scene.title))
@@ -22,10 +22,7 @@ function [scene, kind, output, name] = checked_scene (which, options, change = @
 endfunction
 
 function [plane, kind] = exactly (scene, kind)
-  if (! strcmp (kind.name, "rod"))
-    scene_error ("exact is for one straight rod on a hinge or in a hub, the scene is of the kind \"%s\"", kind.name);
-  endif
-  [plane, lacks] = exact_scene (scene);
+  [plane, lacks] = kind.exactly (scene);
   if (isempty (plane))
     scene_error ("exact: the geometrically exact rod lacks what the scene has: %s", lacks);
   endif
@@ -41,7 +38,7 @@ endfunction
 %!test # exactly: on the plane, or not at all
 %! [scene, kind, output] = checked_scene ("swing", {"exact", true});
 %! assert (scene.surface.name, "plane"); assert (kind.name, "exact"); assert (output.folder, "output/swing");
-%!error <exact is for one straight rod on a hinge or in a hub, the scene is of the kind "mechanism">
+%!error <exact: the geometrically exact rod lacks what the scene has: several bodies>
 %! checked_scene ("double_pendulum", {"exact", true});
 %!error <exact: the geometrically exact rod lacks what the scene has: a curved axis>
 %! checked_scene ("hook", {"exact", true});

@@ -57,6 +57,8 @@
 ## @item exact (scene, seconds)
 ## [run, converged]: the geometrically exact rod, where it can be had in so many seconds, else empty and false (see
 ## @code{exact_runs})
+## @item exactly (scene)
+## [plane, lacks]: the scene of the geometrically exact rod (see @code{exact_scene}), or empty and what that lacks
 ## @item literal (scene)
 ## the rung of the paper's sines, 7 + 7, or empty
 ## @item sized (scene, n)

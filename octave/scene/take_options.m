@@ -4,7 +4,7 @@
 ## is written into the struct @var{output}: its @code{folder} (@var{folder}, unless the option "output" replaces it; ""
 ## writes nothing), whether there are @code{pictures} (true, unless the option is false), how many times a second
 ## (1/s) a @code{dense} table has, [] for none, the @code{command} that the summary has, "" for the call itself, and
-## whether the model is to be @code{exact} (see @code{exact_scene}).
+## whether the model is to be @code{exact} (see @code{exact_scene}; "auto": where others cannot hold the tolerance).
 ## @end deftypefn
 
 function [scene, output] = take_options (scene, folder, options)
@@ -18,6 +18,8 @@ function [scene, output] = take_options (scene, folder, options)
     [name, value] = pair{:};
     if (strcmp (name, "output") && ischar (value))
       output.folder = user_path (value);
+    elseif (strcmp (name, "exact") && strcmp (value, "auto"))
+      output.exact = "auto";
     elseif (any (strcmp (name, {"pictures", "exact"})))
       if (! ((islogical (value) || isnumeric (value)) && isscalar (value) && any (value == [0 1])))
         scene_error ("driver: %s is %s: it takes true or false, %s=yes or no", name, disp_name (value), toupper (name));
@@ -56,5 +58,6 @@ endfunction
 %! take_options (struct (), "", {"pictures", "maybe"});
 %!error <driver: dense is -1: it takes a positive number, of times a second> take_options (struct (), "", {"dense", -1});
 %!error <driver: exact is 3: it takes true or false, EXACT=yes or no> take_options (struct (), "", {"exact", 3});
+%!assert (nthargout (2, @take_options, struct (), "", {"exact", "auto"}).exact, "auto")
 %!error <in pairs> take_options (struct (), "", {"modes"})
 %!error <driver: pictures is 2: it takes> take_options (struct (), "", {"pictures", 2});

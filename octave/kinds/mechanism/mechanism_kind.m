@@ -29,6 +29,7 @@ function kind = mechanism_kind ()
   kind.spectrum = @body_spectrum;
   kind.rungs = @rungs_around;
   kind.exact = @(scene, seconds) deal ([], false);
+  kind.exactly = @(scene) deal ([], "several bodies");
   kind.literal = @(scene) [];
   kind.sized = @model_of_size;
   kind.at_rest = @mechanism_at_rest;

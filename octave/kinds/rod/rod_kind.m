@@ -27,6 +27,7 @@ function kind = rod_kind ()
   kind.spectrum = @tip_spectrum;
   kind.rungs = @rungs_around;
   kind.exact = @exact_runs;
+  kind.exactly = @exact_scene;
   kind.literal = @paper_sines;
   kind.sized = @(scene, n) build_model (scene, rung_of_scene (setfield (scene, "model", "modes", [n n])));
   kind.at_rest = [];

@@ -27,6 +27,7 @@ function kind = surface_kind ()
   kind.spectrum = @surface_spectrum;
   kind.rungs = @rungs_around;
   kind.exact = @(scene, seconds) deal ([], false);
+  kind.exactly = @(scene) deal ([], "a surface, on which it is exact");
   kind.literal = @(scene) [];
   kind.sized = @model_of_size;
   kind.at_rest = @surface_at_rest;
