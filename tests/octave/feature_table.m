@@ -115,6 +115,10 @@ function cells = why_not (form)
   cells = {"not yet", "not yet", "joints are constraints", "not yet"};
   if (strcmp (form, "constrained"))
     cells = repmat ({"it has no joints"}, 1, 4);
+  elseif (strcmp (form, "momenta"))
+    cells{4} = "its mass changes with its place; `gauss` is symplectic there";
+  elseif (strcmp (form, "residual"))
+    cells(1:2) = {"what is stiff is linear: `waveform` has it exactly"};
   elseif (strcmp (form, "oscillators"))
     cells{4} = "its frequencies change with its place";
   endif
