@@ -21,7 +21,7 @@ function kind = surface_kind ()
   kind.foreseen = @(scene, model) {};
   kind.describe = @describe_surface;
   kind.limits = @limits_of_rod;
-  kind.warnings = @(scene, run) [pull_warning(run.history, scene), strain_warning(limits_of_rod (scene, run))];
+  kind.warnings = @(scene, run) surface_warnings (scene, run.history, limits_of_rod (scene, run));
   kind.columns = @surface_columns;
   kind.drawing = @(scene, run) surface_drawing (run.model, scene, run.history);
   kind.spectrum = @surface_spectrum;
@@ -85,33 +85,8 @@ function own = describe_surface (scene, run)
   own.largest_end_coefficient = max (abs (history.q(last,:))(:))/scene.rod.length;
 endfunction
 
-function warnings = pull_warning (history, scene)
-  warnings = {};
-  push = scene.surface.side*history.reaction;
-  if (any (scene.surface.side*history.tip_reaction < 0))
-    [least, k] = min (scene.surface.side*history.tip_reaction);
-    warnings = {sprintf(["the surface would have to pull the tip mass, by up to %.3g N at t = %.4g s: one on one side" ...
-                         " would lift off; surface.side = 0 has one that cannot"], -least, history.t(k))};
-  endif
-  [least, k] = min (min (push, [], 1));
-  if (least < -1e-6*max (abs (push(:))))
-    first = find (min (push, [], 1) < -1e-6*max (abs (push(:))), 1);
-    warnings{end+1} = sprintf (["the surface would have to pull the rod from t = %.4g s on, by up to %.3g N/m at" ...
-                                " t = %.4g s: a rod on one side would lift off there; surface.side = 0 has a rod" ...
-                                " that cannot"], history.t(first), -least, history.t(k));
-  endif
-endfunction
-
 function limits = limits_of_rod (scene, run)
   limits = struct ("what", "axial strain", "limit", 0.05, "reached", run.history.largest_strain);
-endfunction
-
-function warnings = strain_warning (strain)
-  warnings = {};
-  if (strain.reached > strain.limit)
-    warnings = {sprintf("the axial strain reaches %.2g, linear elasticity holds for small ones: take a larger EA", ...
-                        strain.reached)};
-  endif
 endfunction
 
 %!test # by the driver's name, without files
@@ -120,21 +95,6 @@ endfunction
 %! assert (numel (result.history.t), 6);
 %! assert (result.summary.largest_energy_error < 1e-7);
 %!error <speed is not a field of a scene on a surface> driver (setfield (large_swing (), "speed", 1), "output", "")
-%!test # a sphere's inside turns a tip mass: m v^2/r, and its weight
-%! scene = struct ("surface", struct ("name", "sphere", "radius", 1, "side", -1), "duration", 0.002, "tip_mass", 2, ...
-%!                 "rod", struct ("length", 0.1, "EA", 3e3, "EI", 0.1, "EI_normal", 0, "rhoA", 1e-3), ...
-%!                 "model", struct ("modes", [4 4]));
-%! scene.initial.velocity = @(xi, alpha) [0*xi; 5 + 0*xi];
-%! history = driver (scene, "output", "").history;
-%! assert (history.tip_reaction(1), 2*5^2 + 2*9.81*cos (0.1), 1);
-%!test # a rod flung over a hill would lift off
-%! scene = struct ("surface", struct ("name", "sphere", "radius", 1, "side", -1), "duration", 0.02, ...
-%!                 "rod", struct ("length", 0.1, "EA", 3e3, "EI", 0.1, "EI_normal", 0, "rhoA", 1.5), ...
-%!                 "model", struct ("modes", [4 4]));
-%! scene.initial.velocity = @(xi, alpha) [0.2 + 0*xi; 0*xi];
-%! result = driver (scene, "output", "");
-%! assert (! isempty (strfind (result.summary.warnings{1}, "would have to pull the rod from t = 0 s on")));
-%! assert (driver (setfield (scene, "surface", "side", 1), "output", "").summary.warnings, {});
 %!test # models of a size, and far richer ones, as long as they are not too large
 %! kind = surface_kind ();
 %! model = @(n) struct ("numbers", struct ("modes", [n n]));
@@ -142,12 +102,6 @@ endfunction
 %! assert ({kind.sized([], 3), kind.sized([], 33)}, {[], []});
 %! assert (kind.sized (check_surface_scene (large_swing ()), 4).numbers.modes, [4 4]);
 %! assert (kind.sized (check_surface_scene (large_swing ()), 32).numbers.modes, [32 32]);
-%!test # strains beyond a twentieth are warned of
-%! for strain = [0.05 0.06]
-%!   history = struct ("largest_strain", strain, "reaction", [1 1], "tip_reaction", zeros (0, 2));
-%!   warnings = surface_kind ().warnings (struct ("surface", struct ("side", 1)), struct ("history", history));
-%!   assert (numel (warnings) == 1, strain > 0.05);
-%! endfor
 %!test # what is said of a run, its pixel, and how the solver is asked for a balance
 %! kind = surface_kind ();
 %! scene = struct ("surface", struct ("name", "cone"), "rod", struct ("length", 2), "ends", {{"free", "free"}}, ...
@@ -165,12 +119,6 @@ endfunction
 %! assert (arrayfun (tighter, [1e-7 1e-6 1e-4]), [0.1 0.05 1], 1e-12);
 %! assert (cell2mat (kind.rungs (scene, [6 6], [9 9]).'), [5 6 7 8 9].'*[1 1]);
 %! assert (numel (kind.rungs (scene, [6 6], [13 13])), 7);
-%!test # when it would lift off, and by how much
-%! said = @(reaction, tip) surface_kind ().warnings (struct ("surface", struct ("side", 1)), ...
-%!   struct ("history", struct ("t", [0 1 2], "reaction", reaction, "tip_reaction", tip, "largest_strain", 0)));
-%! assert (said ([1 1 1; 2 -1e-7 1], zeros (0, 3)), {});
-%! assert (! isempty (strfind (said ([1 1 1], [1 -3 2]){1}, "pull the tip mass, by up to 3 N at t = 1 s")));
-%! assert (! isempty (strfind (said ([1 -2 1; 2 1 -3], zeros (0, 3)){1}, "from t = 1 s on, by up to 3 N/m at t = 2 s:")));
 %!test # a balance that is far off is Gauss's to keep, at the same tolerance
 %! solver = surface_kind ().tighter (struct ("name", "auto", "tolerance", 1e-4), 1e-5);
 %! assert (solver, struct ("name", "gauss", "tolerance", 1e-4));
