@@ -9,7 +9,7 @@ function [outcome, message] = try_scene (scene)
   lastwarn ("");
   try
     evalc ("result = driver (scene, 'output', '');");
-    [outcome, message] = judge (scene, result, lastwarn ());
+    [outcome, message] = judge (scene, result, last_warning ());
   catch err
     message = strtrim (err.message);
     switch (err.identifier)

@@ -49,6 +49,6 @@ endfunction
 %!     scene.joints = num2cell (joints{1});
 %!     history = driver (scene, "output", "").history;
 %!     height = (history.bodies(1).y + history.bodies(1).tip_y + history.bodies(2).y + history.bodies(2).tip_y)/4;
-%!     assert (height, height(1) - 9.81*history.t.^2/2, 1e-4); assert (lastwarn (), "");
+%!     assert (height, height(1) - 9.81*history.t.^2/2, 1e-4); assert (last_warning (), "");
 %!   endfor
 %! endfor
