@@ -65,7 +65,8 @@ function refuse_unturned (scene)
   elseif (! any (strcmp (scene.ends, "clamped")))
     scene_error ("rotation is given and no end is \"clamped\": a hub holds an end, ends = {\"clamped\", \"free\"} say");
   elseif (strcmp (scene.initial.from, "equilibrium") && any (scene.rotation (0)(2:3)))
-    scene_error ("initial is \"equilibrium\" and the rotation has a rate at t = 0: it takes one that begins from rest");
+    scene_error (["initial is \"equilibrium\" and the rotation has a rate or an acceleration at t = 0: it" ...
+                 " takes one that begins from rest"]);
   endif
 endfunction
 

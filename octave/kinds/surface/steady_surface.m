@@ -21,7 +21,8 @@ function turning = steady_surface (scene)
 endfunction
 
 function [linear, q] = about (scene, q)
-  balance = surface_at_rest (scene, surface_rod (scene));
+  system = surface_rod (scene);
+  balance = surface_at_rest (scene, system, system);
   if (isempty (q))
     q = balance.start;
   endif

@@ -1,18 +1,19 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{balance} =} surface_at_rest (@var{scene}, @var{system})
+## @deftypefn {} {@var{balance} =} surface_at_rest (@var{scene}, @var{system}, @var{still})
 ## The balance of forces of the rod of a checked scene on its surface, whose @var{system} is of @code{surface_rod};
 ## fields as in @code{mechanism_at_rest}, of one body without multipliers, whose shape has x, y and z; and
-## interpolation (82-by-n): what the surface's coordinates are off at 41 places.
+## interpolation (82-by-n): what the surface's coordinates are off at 41 places.  A hub stands still at rest, unless
+## @var{still} (default: the system, stopped) is the system itself.
 ## @end deftypefn
 
-function balance = surface_at_rest (scene, system)
+function balance = surface_at_rest (scene, system, still = system.stopped ())
   scene.model.modes = system.numbers.modes;
   balance.n = system.n;
   balance.multipliers = 0;
   balance.start = zeros (system.n, 1);
-  balance.residual = @(t, z, v, lambda) -system.residual (t.*ones (1, columns (z)), z, v, 0*z);
-  balance.tangent = @(t, z, lambda) system.tangent_stiffness (t, z, 0*z, 0*z);
-  balance.damping = @(t, z, lambda) system.tangent_damping (t, z, 0*z, 0*z);
+  balance.residual = @(t, z, v, lambda) -still.residual (t.*ones (1, columns (z)), z, v, 0*z);
+  balance.tangent = @(t, z, lambda) still.tangent_stiffness (t, z, 0*z, 0*z);
+  balance.damping = @(t, z, lambda) still.tangent_damping (t, z, 0*z, 0*z);
   balance.mass = @(z) system.mass_matrix (z);
   balance.accelerations = @(t, z, v) accelerations (system, t, z, v);
   balance.moving = @(t, z, v, a, lambda) -system.residual (t.*ones (1, columns (z)), z, v, a);
@@ -23,7 +24,7 @@ function balance = surface_at_rest (scene, system)
   balance.shape = @(z) {shape(system, system.fields (0, z, 0*z, 0*z, stations))};
   b = surface_basis (scene, system.place, stations);
   balance.interpolation = [b.values{1}; b.values{2}];
-  balance.supports = @(t, z, lambda) supports (system, t, z);
+  balance.supports = @(t, z, lambda) supports (still, t, z);
   balance.along = @(t, z, lambda) {surface_section(system, z, stations)};
   balance.most = 32;
   balance.bodies = {1:system.n};
@@ -59,3 +60,15 @@ endfunction
 %! z = 0.01*(1:6 == 2).';
 %! a = balance.accelerations (0, z, 0*z);  # with these nothing is out of balance
 %! assert (balance.moving (0, z, 0*z, a, []), zeros (6, 1), 1e-12); assert (norm (a) > 0.01);
+%!test # in a hub that turns it is at rest as if that stood still where it is, and moves as it does
+%! scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 1, "force", [0 -0.1 0], ...
+%!                 "ends", {{"clamped", "free"}}, "rotation", @(t) [5*t, 5, 0], "model", struct ("modes", [6 6]), ...
+%!                 "rod", struct ("length", 1, "EA", 1e3, "EI", 1, "rhoA", 1));
+%! at_rest = @(scene) surface_at_rest (check_surface_scene (scene), surface_rod (check_surface_scene (scene)));
+%! balance = at_rest (scene);
+%! still = at_rest (rmfield (scene, "rotation"));
+%! z = equilibrium (still, 0);
+%! assert (balance.residual (0, z, 0*z, []), zeros (rows (z), 1), 1e-9);
+%! assert (balance.tangent (0, z, []), still.tangent (0, z, []), 1e-9);
+%! assert (cell2mat (balance.supports (0, z, [])(:,2)), [0; 0.1; 9.81], 1e-9);
+%! assert (balance.moving (0, z, 0*z, 0*z, [])(1) > 1);  # it is flung out

@@ -8,7 +8,8 @@
 ## residual (t, z, z_dot, z_ddot; see @code{surface_residual}), power (t, z, z_dot, z_ddot; see @code{surface_power}),
 ## mass_matrix (z), tangent_stiffness and tangent_damping (t, z, z_dot, z_ddot; n-by-n-by-m), damped, rate, energies
 ## (t, z, z_dot; see @code{surface_energies}), refuse_singular (z, when), size (z), the largest displacement (m) that
-## goes with a small change of z, turn (t, z) of a hub (3-by-m; see @code{turned_fields}), fields (t, z, z_dot, z_ddot,
+## goes with a small change of z, turn (t, z) of a hub (3-by-m; see @code{turned_fields}), stopped () = the system
+## whose hub stands still where it is at the time, fields (t, z, z_dot, z_ddot,
 ## stations) = place, as the surface's functions take it, at stations of the rod, surface, rod and gravity (likewise),
 ## points and weights (p-by-1, m, of the quadrature), parts (what has mass: base, weights and rod of the rod and of a
 ## tip mass, a rod at one place without stiffness), loads and springs (see @code{held_on_surface}; loaded, sprung: are
@@ -39,17 +40,8 @@ function system = surface_rod (scene)
   system.loaded = ! isempty (system.loads.values);
   system.sprung = ! isempty (system.springs.stiffness);
   system.damped = any ([r.damping; system.springs.damping] > 0);
-  system.turn = turning_of (scene);
-  system.fields = @(t, z, z_dot, z_ddot, stations) fields_of_basis (base_at (stations, []), z, z_dot, ...
-                                                                    z_ddot, system.turn (t, z));
-  system.residual = @(t, z, z_dot, z_ddot) surface_residual (system, t, z, z_dot, z_ddot);
-  system.power = @(t, z, z_dot, z_ddot) surface_power (system, t, z, z_dot, z_ddot);
-  system.mass_matrix = @(z) surface_mass (system, z);
-  system.rate = @(t, y, interval) rate (t, y, interval, system);
-  system.energies = @(t, z, z_dot) surface_energies (system, t, z, z_dot);
+  system = turned_by (system, base_at, turning_of (scene));
   system.energy_floor = energy_floor (rod_moment_of_inertia (r.length, r.rhoA, 0), scene.duration);
-  system.tangent_stiffness = @(varargin) tangent_stiffness (system, varargin{:});
-  system.tangent_damping = @(varargin) tangent_damping (system, varargin{:});
   everywhere = linspace (0, r.length, 501).';
   system.refuse_singular = @(z, when) refuse_singular (surface, system.fields (0, z, z, z, everywhere), when);
   system.refuse_singular (zeros (system.n, 1), "at the start");
@@ -60,6 +52,25 @@ function system = surface_rod (scene)
   system.auto = "radau";
   system.warnings = {};
   system.energy_rows = 2*system.n + [1 2];
+endfunction
+
+## its functions of time and state, as a hub turns the chart
+function system = turned_by (system, base_at, turn)
+  system.turn = turn;
+  system.fields = @(t, z, z_dot, z_ddot, stations) fields_of_basis (base_at (stations, []), z, z_dot, ...
+                                                                    z_ddot, turn (t, z));
+  system.residual = @(t, z, z_dot, z_ddot) surface_residual (system, t, z, z_dot, z_ddot);
+  system.power = @(t, z, z_dot, z_ddot) surface_power (system, t, z, z_dot, z_ddot);
+  system.mass_matrix = @(z) surface_mass (system, z);
+  system.rate = @(t, y, interval) rate (t, y, interval, system);
+  system.energies = @(t, z, z_dot) surface_energies (system, t, z, z_dot);
+  system.tangent_stiffness = @(varargin) tangent_stiffness (system, varargin{:});
+  system.tangent_damping = @(varargin) tangent_damping (system, varargin{:});
+  system.stopped = @() turned_by (system, base_at, @(t, z) without_rates (turn (t, z)));
+endfunction
+
+function turn = without_rates (turn)
+  turn(2:end,:) = 0;
 endfunction
 
 function y_dot = rate (t, y, interval, system)
