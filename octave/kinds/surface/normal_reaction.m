@@ -9,6 +9,10 @@
 function reaction = normal_reaction (system, t, z, z_dot)
   fields = system.fields (t, z, z_dot, z_dot, system.points);
   [parts{1:3}] = system.surface.reaction (fields, system.rod, system.gravity);
+  if (system.rod.damping > 0)
+    [damped{1:3}] = system.surface.damped_reaction (fields, system.rod);
+    parts = cellfun (@plus, parts, damped, "uniformoutput", false);
+  endif
   p = rows (parts{1});
   degree = p - 4;  # a little below interpolation, against rounding
   [values, slopes] = legendre_functions (degree, system.points, sum (system.weights));

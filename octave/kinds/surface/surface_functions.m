@@ -2,7 +2,7 @@
 ## @deftypefn {} {@var{surface} =} surface_functions (@var{given})
 ## The derived functions of the surface @var{given}, a struct of its name and its parameters: a struct of position,
 ## tangent, normal, laid, mass, balance, damping, turning, rotary_balance, energies, strains, section, point_loads,
-## spring, reaction, angle, direction and support, which take the arguments of generated/surface_NAME_*.m but for the
+## spring, reaction, damped_reaction, angle, direction and support, which take the arguments of generated/surface_NAME_*.m but for the
 ## surface, with arrays of any size.
 ##
 ## Surfaces of one's own (`make derive SURFACE=file') are found in output/surfaces/.  Unknown names, missing and
@@ -24,7 +24,7 @@ function surface = surface_functions (given)
   endif
   parameters = values_of (rmfield (given, "name"), parameters_of (given.name), given.name);
   for kind = {"position", "tangent", "normal", "laid", "mass", "balance", "damping", "turning", "rotary_balance", ...
-              "energies", "strains", "section", "point_loads", "spring", "reaction", "angle", "direction", "support"}
+              "energies", "strains", "section", "point_loads", "spring", "reaction", "damped_reaction", "angle", "direction", "support"}
     name = sprintf ("surface_%s_%s", given.name, kind{1});
     if (! exist (name, "file"))
       scene_error ("surface.name is \"%s\": an earlier `make derive SURFACE=file' left no %s: derive it again", ...

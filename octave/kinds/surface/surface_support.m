@@ -40,3 +40,16 @@ endfunction
 %! [n{1:3}] = system.surface.normal (system.fields (0, z, z, z, system.points));
 %! resultant = cell2mat (cellfun (@(n) system.weights.'*(n.*history.reaction), n.', "uniformoutput", false));
 %! assert (history.support, resultant, 1e-4*norm (resultant(:,1)));
+%!test # and of one that is damped: stretched around a hollow it presses the more, the faster that is
+%! scene = struct ("surface", struct ("name", "cylinder", "radius", 0.5), "gravity", 0, "duration", 1, ...
+%!                 "rod", struct ("length", 0.5, "EA", 30, "EI", 1, "EI_normal", 0, "rhoA", 1, "damping", 0.2));
+%! scene.initial = struct ("angle", pi/2, "velocity", @(xi, alpha) [0*xi; xi - 0.25]);
+%! scene.model.modes = [8 8];
+%! scene.solver.tolerance = 1e-12;
+%! system = surface_rod (check_surface_scene (scene));
+%! n = system.n;
+%! z = 0*system.initial_state(1:n);
+%! y = [z; system.initial_state(n+1:end)];
+%! r = normal_reaction (system, 0, z, y(n+1:2*n));
+%! v = system.points - 0.25;
+%! assert (r, -30*0.2/0.5 + v.^2/0.5, 1e-9);  # N curvature + rhoA v^2 curvature
