@@ -10,14 +10,23 @@
 function [scene, kind, output, name] = checked_scene (which, options, change = @(scene) scene)
   [scene, name] = load_scene (which);
   [scene, output] = take_options (scene, fullfile ("output", name), options);
+  given = scene;
   scene = change (scene);
   kind = kind_of (scene);
   scene = kind.check (scene);
   if (isequal (output.exact, true))
+    refuse_other_kind (kind, kind_of (given));
     [scene, kind] = exactly (scene, kind);
   endif
   if (isempty (scene.title))
     scene.title = name;
+  endif
+endfunction
+
+function refuse_other_kind (kind, given)
+  if (! strcmp (kind.name, given.name))
+    scene_error (["exact: this study takes a \"%s\" as a \"%s\", which has no exact rod: state the rod on an upright" ...
+                  " plane, as the scene large_swing does"], given.name, kind.name);
   endif
 endfunction
 
@@ -42,3 +51,5 @@ endfunction
 %! checked_scene ("double_pendulum", {"exact", true});
 %!error <exact: the geometrically exact rod lacks what the scene has: a curved axis>
 %! checked_scene ("hook", {"exact", true});
+%!error <exact: this study takes a "rod" as a "mechanism", which has no exact rod>
+%! checked_scene ("swing", {"exact", true}, @scene_at_rest);

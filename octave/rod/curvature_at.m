@@ -13,8 +13,12 @@ function kappa = curvature_at (rod, xi)
     endif
     return;
   endif
-  kappa = rod.curvature (xi);
-  if (! (isequal (size (kappa), size (xi)) && all (isfinite (kappa(:)))))
+  try
+    kappa = rod.curvature (xi);
+  catch err
+    scene_error ("rod.curvature fails: %s", err.message);
+  end_try_catch
+  if (! (isnumeric (kappa) && isreal (kappa) && isequal (size (kappa), size (xi)) && all (isfinite (kappa(:)))))
     scene_error (["rod.curvature gives %d values for %d stations or no numbers: it takes a vectorised function" ...
                   " of xi in 1/m"], numel (kappa), numel (xi));
   endif
@@ -26,3 +30,6 @@ endfunction
 %! assert (curvature_at (setfield (rod, "curvature", @(xi) xi.^2), [0; 1; 2]), [0; 1; 4]);
 %! assert (curvature_at (setfield (rod, "curvature", []), [0 1]), [0 0]);
 %!error <rod.curvature gives 1 values for 2 stations> curvature_at (struct ("curvature", @(xi) 1), [0 1])
+%!error <rod.curvature fails: no> curvature_at (struct ("length", 1, "curvature", @(xi) error ("no")), 0.5)
+%!error <rod.curvature gives 1 values for 1 stations or no numbers>
+%! curvature_at (struct ("length", 1, "curvature", @(xi) 1i*xi), 0.5)

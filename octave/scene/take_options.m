@@ -39,6 +39,10 @@ function [scene, output] = take_options (scene, folder, options)
                    disp_name (name), strjoin (fieldnames (fields).', ", "));
     endif
   endfor
+  if (isequal (output.exact, true) && any (cellfun (@(name) isequal (name, "modes"), options(1:2:end))) ...
+      && ! strcmp (scene.model.modes, "auto"))
+    scene_error ("driver: exact and modes are both given: the exact rod takes as many polynomials as it needs");
+  endif
 endfunction
 
 function text = disp_name (name)
@@ -61,3 +65,6 @@ endfunction
 %!assert (nthargout (2, @take_options, struct (), "", {"exact", "auto"}).exact, "auto")
 %!error <in pairs> take_options (struct (), "", {"modes"})
 %!error <driver: pictures is 2: it takes> take_options (struct (), "", {"pictures", 2});
+%!error <driver: exact and modes are both given: the exact rod takes as many polynomials as it needs>
+%! take_options (struct (), "", {"modes", [7 7], "exact", true});
+%!assert (nthargout (2, @take_options, struct (), "", {"modes", "auto", "exact", true}).exact, true)

@@ -7,7 +7,8 @@
 function kind = exact_kind ()
   kind = surface_kind ();
   kind.name = "exact";
-  kind.has = @(given) isfield (given, "exact");
+  upright = struct ("name", "plane", "inclination", pi/2, "side", 0);
+  kind.has = @(given) isfield (given, "exact") && isfield (given, "surface") && isequal (given.surface, upright);
   kind.check = @(given) setfield (check_surface_scene (rmfield (given, "exact")), "exact", true);
   kind.describe = @describe_exact;
   kind.columns = @exact_columns;
@@ -53,3 +54,7 @@ endfunction
 %! endfor
 %! assert (result.summary.model(1:19), "geometrically exact"); assert (panels(1).names, {"x", "y"});
 %! assert (any (strncmp (names, "reaction_y", 10))); assert (! any (strncmp (names, "tip_z", 5)));
+%!error <exact is not a field of a scene on a surface>
+%! scene = struct ("name", "sphere", "radius", 1);
+%! driver (struct ("surface", scene, "rod", struct ("length", 1), "duration", 1, "exact", true), "output", "");
+%!error <exact is not a field> driver (setfield (swing (), "exact", true), "output", "")
