@@ -55,6 +55,10 @@ function scene = check_surface_scene (given)
   endif
   [scene.joints, of_joints] = joints_on_surface (scene);
   [scene.moment_breaks, scene.probed] = load_breaks ([loads, of_joints], scene.moment_breaks, scene);
+  if (! isempty (scene.rotation))
+    refuse_wrong_rates (scene.rotation, scene.duration);
+    refuse_moving (scene);
+  endif
 endfunction
 
 ## where turning its coordinates moves a rod as a whole, and what holds the rod in the chart
@@ -64,7 +68,11 @@ function refuse_unturned (scene)
                   " a rotation of a \"plane\" or a \"sphere\""], scene.surface.name);
   elseif (! any (strcmp (scene.ends, "clamped")))
     scene_error ("rotation is given and no end is \"clamped\": a hub holds an end, ends = {\"clamped\", \"free\"} say");
-  elseif (strcmp (scene.initial.from, "equilibrium") && any (scene.rotation (0)(2:3)))
+  endif
+endfunction
+
+function refuse_moving (scene)
+  if (strcmp (scene.initial.from, "equilibrium") && any (scene.rotation (0)(2:3)))
     scene_error (["initial is \"equilibrium\" and the rotation has a rate or an acceleration at t = 0: it" ...
                  " takes one that begins from rest"]);
   endif
@@ -147,3 +155,12 @@ endfunction
 %! check_surface_scene (setfield (smallest (), "initial", "point", [1 2 3]))
 %!error <^rods is not a field of a scene on a surface>
 %! check_surface_scene (setfield (smallest (), "rods", struct ("GJ", 1)))
+%!error <rotation gives theta_dot = .*: it takes an angle and its rates>
+%! scene = setfield (setfield (smallest (), "ends", {"clamped", "free"}), "rotation", @(t) [t^2 t 2]);
+%! check_surface_scene (scene);
+%!error <rotation gives 3 at t = 0: it takes 3 numbers>
+%! scene = setfield (setfield (smallest (), "ends", {"clamped", "free"}), "rotation", @(t) 3);
+%! check_surface_scene (setfield (scene, "initial", "equilibrium"));
+%!error <the rotation has a rate or an acceleration at t = 0>
+%! scene = setfield (setfield (smallest (), "ends", {"clamped", "free"}), "rotation", @(t) [t 1 0]);
+%! check_surface_scene (setfield (scene, "initial", "equilibrium"));

@@ -1,0 +1,32 @@
+## -*- texinfo -*-
+## @deftypefn {} {} refuse_wrong_rates (@var{rotation}, @var{duration})
+## An error where a function @var{rotation} (t) = [theta theta_dot theta_ddot] of a hub, for the @var{duration} (s) of a
+## run, has rates that are not those of its angle: at most of 21 times, one of them by more than a thousandth of its
+## largest.
+## @end deftypefn
+
+function refuse_wrong_rates (rotation, duration)
+  t = duration*mod ((1:21)*0.6180339887498949, 0.99) + duration/1000;
+  h = 1e-7*duration;
+  values = at_times (rotation, t);
+  quotients = (at_times (rotation, t + h) - at_times (rotation, t - h))/(2*h);
+  names = {"theta", "theta_dot", "theta_ddot"};
+  for k = 1:2
+    rounding = 1e-8*max (abs (values(k,:)))/duration;
+    off = abs (quotients(k,:) - values(k+1,:));
+    if (sum (off > 1e-3*max (abs ([quotients(k,:), values(k+1,:)])) + rounding) > 10)
+      scene_error (["rotation gives %s = %.6g at t = %.6g, where its %s rises by %.6g a second: it takes an angle and" ...
+                    " its rates"], names{k+1}, values(k+1,1), t(1), names{k}, quotients(k,1));
+    endif
+  endfor
+endfunction
+
+%!test # rates of its own, of what rests, turns for long, pushes for a moment, and of what vibrates
+%! refuse_wrong_rates (@(t) [0 0 0], 1);
+%! refuse_wrong_rates (@(t) [1e4 + 3*t, 3, 0], 1e3);
+%! refuse_wrong_rates (@(t) [0.5*max(t - 0.3, 0)^2, max(t - 0.3, 0), t > 0.3], 1);
+%! refuse_wrong_rates (@(t) [sin(5e3*t), 5e3*cos(5e3*t), -25e6*sin(5e3*t)], 2);
+%!error <rotation gives theta_dot = 0.619034 at t = 0.619034, where its theta rises by 1.23807 a second: it takes an ang>
+%! refuse_wrong_rates (@(t) [t^2 t 2], 1);
+%!error <rotation gives theta_ddot = 0 at t = .*, where its theta_dot rises by 2 a second>
+%! refuse_wrong_rates (@(t) [t^2 2*t 0], 3);
