@@ -63,6 +63,7 @@ endfunction
 
 ## where turning its coordinates moves a rod as a whole, and what holds the rod in the chart
 function refuse_unturned (scene)
+  surface_functions (scene.surface);  # it has a name
   if (! any (strcmp (scene.surface.name, {"plane", "sphere"})))
     scene_error (["rotation and the surface \"%s\" are both given: a hub turns the chart about its origin, which is" ...
                   " a rotation of a \"plane\" or a \"sphere\""], scene.surface.name);
@@ -164,3 +165,5 @@ endfunction
 %!error <the rotation has a rate or an acceleration at t = 0>
 %! scene = setfield (setfield (smallest (), "ends", {"clamped", "free"}), "rotation", @(t) [t 1 0]);
 %! check_surface_scene (setfield (scene, "initial", "equilibrium"));
+%!error <surface is no struct with a name>
+%! check_surface_scene (setfield (setfield (smallest (), "rotation", @(t) [0 0 0]), "surface", struct ("radius", 1)));
