@@ -54,7 +54,7 @@ function lines = observe_run (which, settings, options, items, place)
 endfunction
 
 function [names, table, summary] = run_of (scene, output, place, command)
-  run = driver (scene, "output", place, "pictures", output.pictures, "command", command);
+  run = driver (scene, "output", place, "pictures", output.pictures, "command", command, "exact", output.exact);
   kind = kind_of (run.scene);
   [names, table] = kind.columns (run.scene, run);
   summary = run.summary;
@@ -123,3 +123,6 @@ endfunction
 %!endfunction
 %!test # its files, where it is said where, and in them what to type
 %! evalc ("in_scratch (@(folder, scratch) check_typed (folder));");
+%!test # with the geometrically exact rod
+%! text = evalc ("sweep_point ('swing', 'at', 'duration=0.05', 'observe', 'model', 'exact', true, 'output', '')");
+%! assert (! isempty (strfind (text, "geometrically exact")), text);
