@@ -26,6 +26,9 @@ function history = measure_surface (system, scene, times, states)
   history.energy_floor = system.energy_floor;
   history.reaction = normal_reaction (system, times, z, z_dot);
   [history.support, history.torque] = surface_support (system, times, states);
+  if (isempty (system.turn (times, z)))
+    history.torque = zeros (0, numel (times));  # no hub, no torque
+  endif
   history.tip_reaction = reaction_to_tip (system, times, z, z_dot);
   stations = linspace (0, scene.rod.length, 101).';
   fields = system.fields (times, z, z_dot, z_dot, stations);

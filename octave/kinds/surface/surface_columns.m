@@ -13,11 +13,7 @@ function [names, table] = surface_columns (scene, run)
            {"angular_momentum_x [kg m^2/s]", "angular_momentum_y [kg m^2/s]", "angular_momentum_z [kg m^2/s]", ...
             "smallest_reaction [N/m]", "largest_reaction [N/m]", "mid_x [m]", "mid_y [m]", "mid_z [m]", ...
             "psi [rad]", "tip_psi [rad]", "reaction_x [N]", "reaction_y [N]", "reaction_z [N]"}];
-  if (any (history.torque))
-    names{end+1} = "torque [N m]";
-  else
-    history.torque = zeros (0, numel (history.t));
-  endif
+  names = [names, repmat({"torque [N m]"}, 1, rows (history.torque))];
   names = [names, repmat({"tip_reaction [N]"}, 1, rows (history.tip_reaction))];
   table = [history.t; history.tip; history.q; joules; history.angular_momentum; ...
            min(history.reaction, [], 1); max(history.reaction, [], 1); history.mid; ...
@@ -27,7 +23,7 @@ endfunction
 %!test
 %! history = struct ("t", 0, "tip", [1; 2; 3], "q", [4; 5], "T", 6, "U", 7, "Z", 8, "W", 9, "D", 0, ...
 %!                   "angular_momentum", [1; 2; 3], "reaction", [-1; 2], "mid", [3; 4; 5], "psi", 6, "tip_psi", 7, ...
-%!                   "support", [8; 9; 10], "torque", 0, "tip_reaction", zeros (0, 1));
+%!                   "support", [8; 9; 10], "torque", zeros (0, 1), "tip_reaction", zeros (0, 1));
 %! history.q_names = {"alpha1_0", "alpha2_0"};
 %! [names, table] = surface_columns ([], struct ("history", history));
 %! assert (table.', [0 1 2 3 4 5 6 7 8 9 0 1 2 3 -1 2 3:10]); assert (numel (names), 24);
