@@ -10,7 +10,7 @@
 function [scene, output] = take_options (scene, folder, options)
   output = struct ("folder", folder, "pictures", true, "dense", [], "command", "", "exact", false);
   if (mod (numel (options), 2) != 0)
-    scene_error ("driver: options come as names and values, in pairs");
+    scene_error ("options come as names and values, in pairs");
   endif
   fields = struct ("modes", {{"model", "modes"}}, "solver", {{"solver", "name"}}, ...
                    "tolerance", {{"solver", "tolerance"}}, "size", {{"frame_size"}});
@@ -22,12 +22,12 @@ function [scene, output] = take_options (scene, folder, options)
       output.exact = "auto";
     elseif (any (strcmp (name, {"pictures", "exact"})))
       if (! ((islogical (value) || isnumeric (value)) && isscalar (value) && any (value == [0 1])))
-        scene_error ("driver: %s is %s: it takes true or false, %s=yes or no", name, disp_name (value), toupper (name));
+        scene_error ("%s is %s: it takes true or false, %s=yes or no", name, disp_name (value), toupper (name));
       endif
       output.(name) = logical (value);
     elseif (strcmp (name, "dense"))
       if (! (isnumeric (value) && isscalar (value) && value > 0 && isfinite (value)))
-        scene_error ("driver: dense is %s: it takes a positive number, of times a second", disp_name (value));
+        scene_error ("dense is %s: it takes a positive number, of times a second", disp_name (value));
       endif
       output.dense = value;
     elseif (strcmp (name, "command") && ischar (value))
@@ -35,13 +35,13 @@ function [scene, output] = take_options (scene, folder, options)
     elseif (ischar (name) && isfield (fields, name))
       scene = setfield (scene, fields.(name){:}, value);
     else
-      scene_error ("driver: \"%s\" is not an option: those are %s, output, pictures, dense, exact, command", ...
+      scene_error ("\"%s\" is not an option: those are %s, output, pictures, dense, exact, command", ...
                    disp_name (name), strjoin (fieldnames (fields).', ", "));
     endif
   endfor
   if (isequal (output.exact, true) && any (cellfun (@(name) isequal (name, "modes"), options(1:2:end))) ...
       && ! strcmp (scene.model.modes, "auto"))
-    scene_error ("driver: exact and modes are both given: the exact rod takes as many polynomials as it needs");
+    scene_error ("exact and modes are both given: the exact rod takes as many polynomials as it needs");
   endif
 endfunction
 
@@ -58,13 +58,13 @@ endfunction
 %! assert (nthargout (2, @take_options, scene, "here", {"pictures", false}).pictures, false);
 %! assert (nthargout (2, @take_options, scene, "here", {"pictures", 1}).pictures, true);
 %!assert (nthargout (2, @take_options, struct (), "", {"output", "-x"}).folder, "./-x")
-%!error <driver: pictures is maybe: it takes true or false, PICTURES=yes or no>
+%!error <pictures is maybe: it takes true or false, PICTURES=yes or no>
 %! take_options (struct (), "", {"pictures", "maybe"});
-%!error <driver: dense is -1: it takes a positive number, of times a second> take_options (struct (), "", {"dense", -1});
-%!error <driver: exact is 3: it takes true or false, EXACT=yes or no> take_options (struct (), "", {"exact", 3});
+%!error <dense is -1: it takes a positive number, of times a second> take_options (struct (), "", {"dense", -1});
+%!error <exact is 3: it takes true or false, EXACT=yes or no> take_options (struct (), "", {"exact", 3});
 %!assert (nthargout (2, @take_options, struct (), "", {"exact", "auto"}).exact, "auto")
 %!error <in pairs> take_options (struct (), "", {"modes"})
-%!error <driver: pictures is 2: it takes> take_options (struct (), "", {"pictures", 2});
-%!error <driver: exact and modes are both given: the exact rod takes as many polynomials as it needs>
+%!error <pictures is 2: it takes> take_options (struct (), "", {"pictures", 2});
+%!error <exact and modes are both given: the exact rod takes as many polynomials as it needs>
 %! take_options (struct (), "", {"modes", [7 7], "exact", true});
 %!assert (nthargout (2, @take_options, struct (), "", {"modes", "auto", "exact", true}).exact, true)
