@@ -8,7 +8,8 @@
 function run = far_richer (result, seconds = 60)
   scene = result.scene;
   kind = kind_of (scene);
-  [run, converged] = kind.exact (setfield (scene, "solver", "tolerance", scene.solver.tolerance/4), seconds);
+  sharper = setfield (scene, "solver", "tolerance", scene.solver.tolerance/4);
+  evalc ("[run, converged] = kind.exact (sharper, seconds);");
   if (converged)
     return;
   endif

@@ -42,7 +42,7 @@ function row = verify_choice (which)
       return;
     endif
     seconds = toc (start);
-    evalc ("reference = far_richer (result);");
+    reference = far_richer (result);
     true_error = distance (result, reference);
     smaller = smaller_error (result, reference);
   catch err
