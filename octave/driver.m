@@ -79,3 +79,11 @@ endfunction
 %!   evalc ("result = driver (setfield (scene, 'solver', 'tolerance', row{1}), 'output', '', 'exact', 'auto');");
 %!   assert (kind_of (result.scene).name, row{2});
 %! endfor
+%!test # a mechanism of which all models are further off than the tolerance has none, and says so as ever
+%! rod = struct ("length", 1, "EA", 1e6, "EI", 1, "rhoA", 0.1);
+%! scene.bodies = {struct("rod", rod, "model", struct ("energy", "uniaxial"))};
+%! scene.joints = {struct("kind", "weld", "bodies", 1, "stations", 0)};
+%! [scene.duration, scene.frames_per_second] = deal (0.1, 50);
+%! scene.solver.tolerance = 1e-5;
+%! evalc ("result = driver (scene, 'output', '', 'exact', 'auto');");
+%! assert (result.summary.dropped_m > 1e-5); assert (isfield (result.scene, "bodies"));

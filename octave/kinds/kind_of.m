@@ -54,9 +54,6 @@
 ## that below the drawing's panels, a struct like that of @code{tip_spectrum}, or empty
 ## @item rungs (scene, chosen, richer)
 ## rungs around a chosen one, a cell array, up to a richer one
-## @item exact (scene, seconds)
-## [run, converged]: the geometrically exact rod, where it can be had in so many seconds, else empty and false (see
-## @code{exact_runs})
 ## @item exactly (scene)
 ## [plane, lacks]: the scene of the geometrically exact rod (see @code{exact_scene}), or empty and what that lacks
 ## @item literal (scene)

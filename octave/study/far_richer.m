@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{run} =} far_richer (@var{result}, @var{seconds})
 ## What the scene of a @var{result} of @code{driver} truly does: the geometrically exact rod where that has it and
-## converges in so many @var{seconds} (60; see exact in @code{kind_of}), or else a far richer model of the same physics
+## converges in so many @var{seconds} (60; see @code{exact_runs}), or else a far richer model of the same physics
 ## (see @code{richest_run}), its points moved by what all such models drop (see @code{dropped_error}).
 ## @end deftypefn
 
@@ -9,7 +9,7 @@ function run = far_richer (result, seconds = 60)
   scene = result.scene;
   kind = kind_of (scene);
   sharper = setfield (scene, "solver", "tolerance", scene.solver.tolerance/4);
-  evalc ("[run, converged] = kind.exact (sharper, seconds);");
+  evalc ("[run, converged] = exact_runs (kind, sharper, seconds);");
   if (converged)
     return;
   endif

@@ -26,7 +26,7 @@ function table = measure_all (kind, scene, ladder, left)
   choice = told_choice (ladder, scene.solver.tolerance);
   [richest, rich] = richest_of (kind, scene, ladder, choice, left ()/3);
   reference = richest;
-  [exact, converged] = kind.exact (scene, left ()/2);
+  [exact, converged] = exact_runs (kind, scene, left ()/2);
   if (converged)
     reference = exact;
   endif

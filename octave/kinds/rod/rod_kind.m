@@ -26,7 +26,6 @@ function kind = rod_kind ()
   kind.drawing = @(scene, run) rod_drawing (scene, run.model, run.history);
   kind.spectrum = @tip_spectrum;
   kind.rungs = @rungs_around;
-  kind.exact = @exact_runs;
   kind.exactly = @exact_scene;
   kind.literal = @paper_sines;
   kind.sized = @(scene, n) build_model (scene, rung_of_scene (setfield (scene, "model", "modes", [n n])));

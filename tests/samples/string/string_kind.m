@@ -28,8 +28,7 @@ function kind = string_kind ()
   kind.drawing = @drawing_of;
   kind.spectrum = @(scene, run) [];
   kind.rungs = @(scene, chosen, richer) num2cell (unique ([1, chosen, richer]));
-  kind.exact = @(scene, seconds) deal ([], false);
-  kind.exactly = @(scene) deal ([], "a string");
+  kind.exactly = @(scene) lacking ("a string");
   kind.literal = @(scene) [];
   kind.sized = @(scene, n) setfield (scene.string, "elements", n)(n <= 4);
   kind.at_rest = [];
