@@ -21,12 +21,7 @@ function scene = check_scene (given)
     moment = scene.moment;
     scene.moment = @(t) moment + zeros (size (t));
   endif
-  if (isempty (scene.force_station))
-    scene.force_station = scene.rod.length;
-  elseif (scene.force_station > scene.rod.length)
-    scene_error ("force_station is %g: it takes a place on the rod, at most %g m", scene.force_station, ...
-                 scene.rod.length);
-  endif
+  scene.force_station = station_of_force (scene);
   if (! isempty (scene.rod.curvature))
     check_curved (scene);
   endif

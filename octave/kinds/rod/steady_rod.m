@@ -8,7 +8,7 @@
 function turning = steady_rod (scene)
   turning.speed = NaN;
   if (! isempty (scene.rotation))
-    turning.speed = max (abs (at_times (scene.rotation, linspace (0, scene.duration, 1001))(2,:)));
+    turning.speed = fastest_rotation (scene);
   endif
   [scene.gravity, scene.moment, scene.moment_breaks, scene.force, scene.joints] = deal (0, @(t) 0*t, [], [], []);
   for name = {"phi_dot", "V1", "V2", "V1_dot", "V2_dot"}

@@ -28,12 +28,7 @@ function scene = check_surface_scene (given)
   if (! isempty (scene.rod.curvature))
     check_curvature (setfield (scene.rod, "curvature_breaks", []), "");
   endif
-  if (isempty (scene.force_station))
-    scene.force_station = scene.rod.length;
-  elseif (scene.force_station > scene.rod.length)
-    scene_error ("force_station is %g: it takes a place on the rod, at most %g m", scene.force_station, ...
-                 scene.rod.length);
-  endif
+  scene.force_station = station_of_force (scene);
   if (! isfield (scene.surface, "side"))
     scene.surface.side = 1;
   elseif (! any (isequal (scene.surface.side, 1) || isequal (scene.surface.side, -1) || ...
