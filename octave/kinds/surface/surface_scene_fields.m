@@ -18,49 +18,32 @@
 ## @end deftypefn
 
 function fields = surface_scene_fields ()
-  fields = {
-    "title",               "",                 "text"
-    "rod.length",          NaN,                "positive number in m"
-    "rod.width",           [],                 "positive number in m"
-    "rod.half_height",     [],                 "positive number in m"
-    "rod.lambda",          1.2e11,             "nonnegative number in Pa"
-    "rod.mu",              8.1e10,             "positive number in Pa"
-    "rod.density",         7800,               "positive number in kg/m^3"
-    "rod.EA",              [],                 "positive number in N"
-    "rod.EI",              [],                 "positive number in N m^2"
-    "rod.EI_normal",       [],                 "nonnegative number in N m^2"
-    "rod.GJ",              [],                 "nonnegative number in N m^2"
-    "rod.rhoA",            [],                 "positive number in kg/m"
-    "rod.rhoI",            [],                 "nonnegative number in kg m"
-    "rod.curvature",       [],                 "vector or function of xi in 1/m"
-    "rod.damping",         0,                  "nonnegative number in s"
-    "tip_mass",            0,                  "nonnegative number in kg"
-    "ends",                {"free", "free"},   "two of \"free\", \"hinge\" and \"clamped\""
-    "gravity",             9.81,               "number in m/s^2"
-    "moment",              0,                  "number or function of t in N m"
-    "tip_moment",          0,                  "number or function of t in N m"
-    "force",               [0 0 0],            "three numbers or function of t in N"
-    "force_station",       [],                 "nonnegative number in m"
-    "rotation",            [],                 "function of t that returns [theta theta_dot theta_ddot]"
-    "joints",              {},                 "struct array, or cell array of structs"
-    "moment_breaks",       [],                 "vector of times in s"
-    "initial.from",        "",               "text"
-    "initial.point",       [0 0],              "vector of two coordinates of the chart"
-    "initial.angle",       0,                  "number in rad"
-    "initial.shape",       [],                 "function of xi that returns the chart's coordinates, 2-by-m"
-    "initial.velocity",    [],                 "function of xi and these coordinates that returns their rates, 2-by-m"
-    "duration",            NaN,                "positive number in s"
-    "frames_per_second",   50,                 "positive number in 1/s"
-    "frame_size",          [1280 720],         "two even numbers of pixels from 320 to 8192 [W H]"
-    "view.elevation",      35,                 "number in degrees"
-    "view.azimuth",        30,                 "number in degrees"
-    "view.turning",        0,                  "number in degrees per second"
-    "model.modes",         "auto",             "\"auto\" or two numbers of polynomials [N1 N2]"
-    "model.sines",         [0 0],              "two numbers of sines [N1 N2]"
-    "solver.name",         "auto",             solver_names({"rate", "residual"})
-    "solver.step",         [],                 "positive number in s"
-    "solver.tolerance",    "pixel",            "\"pixel\" or positive number in m"
-  };
+  rows = scene_fields ();
+  of = @(varargin) rows(ismember (rows(:,1), varargin),:);
+  of_rod = rows(strncmp (rows(:,1), "rod.", 4) & ! strcmp (rows(:,1), "rod.curvature_breaks"),:);
+  fields = [
+    of("title"); of_rod
+    {"rod.EI_normal",       [],                 "nonnegative number in N m^2"
+     "rod.GJ",              [],                 "nonnegative number in N m^2"}
+    of("tip_mass"); of("gravity")
+    {"ends",                {"free", "free"},   "two of \"free\", \"hinge\" and \"clamped\""}
+    of("moment")
+    {"tip_moment",          0,                  "number or function of t in N m"
+     "force",               [0 0 0],            "three numbers or function of t in N"}
+    of("force_station", "rotation", "joints", "moment_breaks", "initial.from")
+    {"initial.point",       [0 0],              "vector of two coordinates of the chart"
+     "initial.angle",       0,                  "number in rad"
+     "initial.shape",       [],                 "function of xi that returns the chart's coordinates, 2-by-m"
+     "initial.velocity",    [],                 "function of xi and these coordinates that returns their rates, 2-by-m"}
+    of("duration", "frames_per_second", "frame_size")
+    {"view.elevation",      35,                 "number in degrees"
+     "view.azimuth",        30,                 "number in degrees"
+     "view.turning",        0,                  "number in degrees per second"
+     "model.modes",         "auto",             "\"auto\" or two numbers of polynomials [N1 N2]"
+     "model.sines",         [0 0],              "two numbers of sines [N1 N2]"
+     "solver.name",         "auto",             solver_names({"rate", "residual"})}
+    of("solver.step", "solver.tolerance")
+  ];
 endfunction
 
 %!test # the table's kinds are all known
