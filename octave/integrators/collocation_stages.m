@@ -49,14 +49,18 @@ function tangents = tangents_of (system, method, t, h, stages, a)
   if (system.damped)
     tangents.C = system.tangent_damping (t, stages{:}, a);
   endif
-  [tangents.lower, tangents.upper, tangents.order] = lu (newton_matrix (method, h, tangents), "vector");
+  matrix = newton_matrix (method, h, tangents, system.damped);
+  [tangents.lower, tangents.upper, tangents.order] = lu (matrix, "vector");
 endfunction
 
-function matrix = newton_matrix (method, h, tangents)
+function matrix = newton_matrix (method, h, tangents, damped)
   [n, ~, s] = size (tangents.K);
   for i = 1:s
     own = (i - 1)*n + (1:n);
-    matrix(own,:) = kron (h^2*method.AA(i,:), tangents.K(:,:,i)) + kron (h*method.A(i,:), tangents.C(:,:,i));
+    matrix(own,:) = kron (h^2*method.AA(i,:), tangents.K(:,:,i));
+    if (damped)
+      matrix(own,:) += kron (h*method.A(i,:), tangents.C(:,:,i));
+    endif
     matrix(own,own) += tangents.M(:,:,i);
   endfor
 endfunction

@@ -7,12 +7,12 @@
 function [R, torque] = surface_residual (system, t, z, z_dot, z_ddot)
   turn = system.turn (t, z);
   R = torque = 0;
-  if (system.loaded)
+  if (! isempty (system.loads.values))
     [Q, about] = loads_on_surface (system, t, z);
     R = -Q;
     torque = -about;
   endif
-  if (system.sprung)
+  if (! isempty (system.springs.stiffness))
     springs = springs_on_surface (system, t, z, z_dot);
     R -= springs.forces;
     torque -= springs.torque;
@@ -38,11 +38,6 @@ function d = densities_of (surface, fields, rod, gravity)
   endif
 endfunction
 
-%!function scene = on_level_plane (varargin)   # hinged at the origin, along the first axis
-%!  scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 1, ...
-%!                  "rod", struct ("length", 2, "EA", 30, "EI", 1, "rhoA", 1.5), "ends", {{"hinge", "free"}}, ...
-%!                  "model", struct ("modes", [3 3]), varargin{:});
-%!endfunction
 %!test # a rod that stretches under a force on the way: EA times the strain holds it up to there
 %! scene = on_level_plane ("force", [6 0 0], "force_station", 0.5);
 %! system = surface_rod (check_surface_scene (scene));

@@ -37,8 +37,6 @@ function system = surface_rod (scene)
     system.parts(2) = struct ("base", base_at (r.length, 1), "rod", point);
   endif
   [system.loads, system.springs] = held_on_surface (scene, base_at);
-  system.loaded = ! isempty (system.loads.values);
-  system.sprung = ! isempty (system.springs.stiffness);
   system.damped = any ([r.damping; system.springs.damping] > 0);
   system = turned_by (system, base_at, turning_of (scene));
   system.energy_floor = energy_floor (rod_moment_of_inertia (r.length, r.rhoA, 0), scene.duration);
