@@ -40,11 +40,6 @@ function [loads, springs] = held_on_surface (scene, base_at)
                     "damping", column ("damping"), "rest", column ("rest"), "names", {{list.name}});
 endfunction
 
-%!function scene = on_level_plane (varargin)   # hinged at the origin, along the first axis
-%!  scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 1, ...
-%!                  "rod", struct ("length", 2, "EA", 30, "EI", 1, "rhoA", 1.5), "ends", {{"hinge", "free"}}, ...
-%!                  "model", struct ("modes", [3 3]), varargin{:});
-%!endfunction
 %!test # where there is nothing, and two springs
 %! base_at = @(stations, weights) numel (stations);
 %! [loads, springs] = held_on_surface (check_surface_scene (on_level_plane ()), base_at);

@@ -29,11 +29,6 @@ function [Q, torque, force] = loads_on_surface (system, t, z)
   force = [sum(of (1), 1); sum(of (2), 1); sum(of (3), 1)];
 endfunction
 
-%!function scene = on_level_plane (varargin)   # hinged at the origin, along the first axis
-%!  scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 1, ...
-%!                  "rod", struct ("length", 2, "EA", 30, "EI", 1, "rhoA", 1.5), "ends", {{"hinge", "free"}}, ...
-%!                  "model", struct ("modes", [3 3]), varargin{:});
-%!endfunction
 %!test # a force and moments at several places, two of them at one, as work per rotation, at two times
 %! joint = @(kind, station, value) struct ("kind", kind, "stations", station, "value", value);
 %! scene = on_level_plane ("force", @(t) [0 t 7], "moment", 3, "tip_moment", @(t) 2*t);

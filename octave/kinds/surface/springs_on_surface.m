@@ -28,11 +28,6 @@ function [springs, distance] = springs_on_surface (system, t, z, z_dot)
                    sum(pull.*(point.point_3 - up), 1)];
 endfunction
 
-%!function scene = on_level_plane (varargin)   # hinged at the origin, along the first axis
-%!  scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 1, ...
-%!                  "rod", struct ("length", 2, "EA", 30, "EI", 1, "rhoA", 1.5), "ends", {{"hinge", "free"}}, ...
-%!                  "model", struct ("modes", [3 3]), varargin{:});
-%!endfunction
 %!test # by Pythagoras: 3 and 4 to the side and above
 %! spring = struct ("kind", "spring", "stations", 2, "point", [2 3 4], "stiffness", 7, "damping", 0.5, "rest", 3);
 %! system = surface_rod (check_surface_scene (on_level_plane ("joints", {{spring}})));

@@ -21,11 +21,6 @@ function power = surface_power (system, t, z, z_dot, z_ddot)
   endif
 endfunction
 
-%!function scene = on_level_plane (varargin)   # hinged at the origin, along the first axis
-%!  scene = struct ("surface", struct ("name", "plane", "inclination", 0), "duration", 1, ...
-%!                  "rod", struct ("length", 2, "EA", 30, "EI", 1, "rhoA", 1.5), "ends", {{"hinge", "free"}}, ...
-%!                  "model", struct ("modes", [3 3]), varargin{:});
-%!endfunction
 %!test # what loads do where they are, and what the material and a damper take
 %! damper = struct ("kind", "spring", "stations", 1, "point", [1 4 0], "damping", 0.5);
 %! scene = on_level_plane ("force", [0 3 0], "force_station", 0.5, "joints", {{damper}});
