@@ -14,9 +14,7 @@ function yes = dampers_couple (given)
       yes = coupling (scene) > 1;
     endif
   catch err
-    if (! strcmp (err.identifier, "toolchain:scene"))
-      rethrow (err);
-    endif
+    rethrow_others (err, "toolchain:scene");
   end_try_catch
 endfunction
 

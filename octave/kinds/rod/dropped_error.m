@@ -23,9 +23,7 @@ function dropped = dropped_error (scene, model, history)
     solver = struct ("name", "auto", "tolerance", scene.solver.tolerance/5);
     moved = measure (system, model, history.t, integrate (system, history.t, solver));
   catch err
-    if (! strcmp (err.identifier, "toolchain:integration"))
-      rethrow (err);
-    endif
+    rethrow_others (err, "toolchain:integration");
     dropped.metres = dropped.bound = model.length;
     return;
   end_try_catch

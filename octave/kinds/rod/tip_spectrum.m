@@ -37,9 +37,7 @@ function [times, states] = sampled (run, system, scene, samples)
   try
     states = integrate (system, times, struct ("name", "auto", "tolerance", scene.solver.tolerance));
   catch err
-    if (! strcmp (err.identifier, "toolchain:integration"))
-      rethrow (err);
-    endif
+    rethrow_others (err, "toolchain:integration");
     times = states = [];
   end_try_catch
 endfunction
