@@ -51,7 +51,8 @@ help:
 		'HOSTS="node1,node2" LOAD=4 MEMORY=2G TIME_LIMIT=60]'
 	@echo 'make point       a scene with other fields, as a sweep has it: the observed values, and the run'"'"'s files' \
 		'[SCENE=swing AT="rod.length=0.2" OBSERVE="max|tip_y|" OUTPUT=folder]'
-	@echo 'make choices     all scenes that choose and 198 random ones: chosen models against far richer ones'
+	@echo 'make choices     all scenes that choose and 198 random ones: chosen models against far richer ones, as a sweep' \
+		'[COUNTS="0 5 5 5 5" JOBS=2 TIME_LIMIT=600]'
 	@echo 'make conditioning    condition number of the mass matrix of arcs against the number of base functions: table'
 	@echo 'make map         the folders of octave/ and the calls between them: output/map.svg, .png' \
 		'[FUNCTION=rod_rates ARGUMENT=phi: where that comes from]'
@@ -103,8 +104,9 @@ sweep:
 point:
 	@OMP_NUM_THREADS=1 $(run_octave) --eval 'source octave/toolchain_path.m; command = @sweep_point; $(run_with_settings)'
 
+choices: override SCENE = tests/choices/drawn_scene.m
 choices:
-	@$(run_octave) --eval 'source octave/toolchain_path.m; verify_choices (shipped_and_random (60, 80, 30, 28), fullfile ("output", "choices"));'
+	@$(run_octave) --eval 'source octave/toolchain_path.m; addpath tests/choices; command = @verify_choices; settings = [sweep_settings(); {"counts", [], "numbers"}]; run_command'
 
 conditioning:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; conditioning ();'

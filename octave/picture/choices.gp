@@ -11,8 +11,8 @@ set samples 400
 
 everything = "plot x < 0.05 ? NaN : 10*x with lines lc rgb light dt 2 title 'the band that is promised, 0.3 to 10'"
 everything = everything.", x < 0.05 || x > 1 ? NaN : 0.3*x with lines lc rgb light dt 2 notitle"
-do for [k = 1:|kinds|] {
-  everything = everything.sprintf(", $kind_%d using 1:2 with points pt %d ps 1.3 lt %d title '%s'", k, 5 + 2*k, k, kinds[k])
+do for [k = 1:|sorts|] {
+  everything = everything.sprintf(", $sort_%d using 1:2 with points pt %d ps 1.3 lt %d title '%s'", k, 5 + 2*k, k, sorts[k])
 }
 set arrow 1 from 1,graph 0 to 1,graph 1 nohead lc rgb ink dt 3
 set label 2 "tolerance" at 1.06,graph 0.97 textcolor rgb "#606060"

@@ -26,7 +26,7 @@ function plan = plan_sweep (which, options)
   [plan.columns, plan.values] = sweep_table (settings);
   plan.options = sorted_pairs (without_options (options, {"output", "pictures"}));
   plan.drawn = output.pictures && any (strcmp (options(1:2:end), "pictures"));
-  plan.studied = any (ismember ({plan.items.part}, {"modes", "statics"}));
+  plan.studied = any (ismember ({plan.items.part}, {"modes", "statics", "truth"}));
   plan.about = struct ("program", program_key (plan.studied), "scene", hash ("sha256", fileread (plan.file))(1:16), ...
                        "options", repeat_command (plan.typed, plan.options), ...
                        "observe", strjoin ({plan.items.text}, ", "));

@@ -15,10 +15,12 @@
 ## @item modes.f(1), statics.tip_y
 ## a number of what @code{natural_modes} or @code{statics} find (see @code{verb_tables}), which each point then runs,
 ## too
+## @item truth.error_m
+## what @code{true_figures} says of the run's error
 ## @end table
 ##
-## @var{observed} is a struct array of text, part (as "max", "at", "summary", "modes" or "statics"), absolute, name,
-## time and index (0 where none is stated).
+## @var{observed} is a struct array of text, part (as "max", "at", "summary", "modes", "statics" or "truth"),
+## absolute, name, time and index (0 where none is stated).
 ## @end deftypefn
 
 function observed = read_observe (text)
@@ -51,13 +53,13 @@ function item = read_item (text)
   else
     scene_error (["OBSERVE: \"%s\" is not understood: it takes max, min, mean, range, rms, first or last of a" ...
                   " column, as max|tip_y|, a column at a time, as psi at t=0.5, a name of summary.json, or" ...
-                  " modes.f(1) or statics.tip_y"], text);
+                  " modes.f(1), statics.tip_y or truth.error_m"], text);
   endif
 endfunction
 
 function [part, name] = part_of (name)
   part = "summary";
-  verb = regexp (name, '^(modes|statics)\.(.*)$', "tokens", "once");
+  verb = regexp (name, '^(modes|statics|truth)\.(.*)$', "tokens", "once");
   if (! isempty (verb))
     [part, name] = verb{:};
   endif
@@ -83,6 +85,7 @@ endfunction
 %!assert (one ("modes(2)"), of ("summary", false, "modes", [], 2))
 %!assert (one ("seconds.total"), of ("summary", false, "seconds.total", [], 0))
 %!assert (one ("modes.f(2)"), of ("modes", false, "f", [], 2))
+%!assert (one ("truth.error_m"), of ("truth", false, "error_m", [], 0))
 %!assert (one ("statics.reaction_x"), of ("statics", false, "reaction_x", [], 0))
 %!assert ({read_observe("max psi, model").text}, {"max psi", "model"})
 %!error <OBSERVE: last psi stands there twice> read_observe ("last psi, model, last psi")

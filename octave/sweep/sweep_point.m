@@ -47,17 +47,20 @@ function lines = observe_run (which, settings, options, items, place)
   tables = verb_tables (scene, {items.part});
   [names, table] = deal ({}, []);
   if (! isempty (place) || ! all (ismember ({items.part}, {"modes", "statics"})))
-    [names, table, tables.summary] = run_of (scene, output, place, typed (which, settings, options));
+    [names, table, run] = run_of (scene, output, place, typed (which, settings, options));
+    tables.summary = run.summary;
+    if (any (strcmp ({items.part}, "truth")))
+      tables.truth = true_figures (run);
+    endif
   endif
   observed = @(item) text_of (observed_value (item, names, table, tables));
   lines = arrayfun (observed, items, "uniformoutput", false);
 endfunction
 
-function [names, table, summary] = run_of (scene, output, place, command)
+function [names, table, run] = run_of (scene, output, place, command)
   run = driver (scene, "output", place, "pictures", output.pictures, "command", command, "exact", output.exact);
   kind = kind_of (run.scene);
   [names, table] = kind.columns (run.scene, run);
-  summary = run.summary;
 endfunction
 
 ## what to type for the same run, wherever its files go

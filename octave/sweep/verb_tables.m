@@ -3,11 +3,15 @@
 ## What OBSERVE may ask of the studies of a @var{scene} (a struct, not checked) that @var{parts} (cellstr) name, a
 ## field each of @var{tables}: modes has f (Hz), omega (rad/s), damping, growth (1/s) and change of the slowest twelve
 ## (see @code{natural_modes}), and statics what @code{rest_figures} says.  @var{units} has the same fields, each " [m]"
-## or "". With @var{names_alone} nothing is computed: the tables have numbers that mean nothing, and twelve modes.
+## or "". With @var{names_alone} nothing is computed: the tables have numbers that mean nothing, and twelve modes; truth,
+## which takes a run, is among them (see @code{true_figures}).
 ## @end deftypefn
 
 function [tables, units] = verb_tables (scene, parts, names_alone = false)
   tables = units = struct ();
+  if (names_alone && any (strcmp (parts, "truth")))
+    [tables.truth, units.truth] = deal (true_figures (), struct ());
+  endif
   if (! any (ismember ({"modes", "statics"}, parts)))
     return;
   endif

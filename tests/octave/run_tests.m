@@ -4,7 +4,7 @@ root = pwd ();
 warning ("off", "Octave:shadowed-function");  # tests call scenes by their names, of which `cylinder' is Octave's, too
 addpath (fullfile (root, "octave", "scenes"));
 cellfun (@(folder) addpath (genpath (fullfile (root, "tests", folder))), ...
-         {"octave", "physics", "pairs", "samples", "map"});
+         {"octave", "physics", "pairs", "choices", "samples", "map"});
 [status, listing] = system ("find $FOLDERS -name '*.m' | sort");
 failed = 0;
 for file = strsplit (strtrim (listing), "\n")

@@ -7,26 +7,26 @@
 
 function job = draw_choices (table, scratch)
   ran = table(isfinite ([table.error]) & isfinite ([table.estimate]));
-  kinds = unique ({ran.kind});
-  text = gnuplot_settings (struct ("kinds", {kinds}, "scenes", numel (table), "good", sum ([table.good]), ...
+  sorts = unique ({ran.sort});
+  text = gnuplot_settings (struct ("sorts", {sorts}, "scenes", numel (table), "good", sum ([table.good]), ...
                                    "largest", max ([ran.error, 0])));
-  for k = 1:numel (kinds)
-    own = ran(strcmp ({ran.kind}, kinds{k}));
-    text = [text, gnuplot_block(sprintf ("kind_%d", k), {max([own.error; own.estimate].', 1e-3)})];
+  for k = 1:numel (sorts)
+    own = ran(strcmp ({ran.sort}, sorts{k}));
+    text = [text, gnuplot_block(sprintf ("sort_%d", k), {max([own.error; own.estimate].', 1e-3)})];
   endfor
   write_text (fullfile (scratch, "settings.gp"), text);
   job = start_gnuplot (scratch, "choices.gp");
 endfunction
 
 %!function text = drawn (folder, scratch)
-%!  table = struct ("kind", {"rod", "surface", "rod", "none"}, "error", {0.5, 0.1, 0, Inf}, ...
+%!  table = struct ("sort", {"rod", "surface", "rod", "none"}, "error", {0.5, 0.1, 0, Inf}, ...
 %!                  "estimate", {0.25, 0.4, 1e-9, NaN}, "good", {true, true, true, false});
 %!  finish_tool (draw_choices (table, scratch));
 %!  text = fileread (fullfile (scratch, "settings.gp"));
 %!  assert (stat (fullfile (folder, "choices.png")).size > 10000);
 %!endfunction
-%!test # a block a kind; what is too small to be seen stands at the edge
+%!test # a block a sort; what is too small to be seen stands at the edge
 %! text = in_scratch (@drawn);
-%! assert (! isempty (strfind (text, "$kind_1 << END\n0.5 0.25 \n0.001 0.001 \nEND")));
-%! assert (! isempty (strfind (text, "$kind_2 << END\n0.1 0.4 \nEND")));
+%! assert (! isempty (strfind (text, "$sort_1 << END\n0.5 0.25 \n0.001 0.001 \nEND")));
+%! assert (! isempty (strfind (text, "$sort_2 << END\n0.1 0.4 \nEND")));
 %! assert (! isempty (strfind (text, "scenes = 4\ngood = 3\n")));
