@@ -17,6 +17,7 @@ function [plane, lacks] = exact_scene (scene)
                   "frames_per_second", scene.frames_per_second, "frame_size", scene.frame_size, ...
                   "ends", {{"hinge", "free"}});
   plane.exact = true;
+  plane.model.strain = "engineering";
   plane.surface = struct ("name", "plane", "inclination", pi/2, "side", 0);
   plane.view = struct ("elevation", 0, "azimuth", -90);
   plane.rod = struct ("length", scene.rod.length, "EA", section.EA, "EI", section.EI, "rhoA", section.rhoA, ...

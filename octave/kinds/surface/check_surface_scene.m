@@ -24,7 +24,7 @@ function scene = check_surface_scene (given)
     scene = setfield (scene, path{:}, value);
   endfor
   refuse_missing_solver (scene.solver.name, "lsode_bdf");
-  scene.rod = section_on_surface (scene.rod);
+  scene.rod = section_on_surface (scene.rod, scene.model.strain);
   if (! isempty (scene.rod.curvature))
     check_curvature (setfield (scene.rod, "curvature_breaks", []), "");
   endif

@@ -40,7 +40,7 @@ function history = measure_surface (system, scene, times, states)
   history.mid = place_of (51);
   psi = unwrap (unwrap (system.surface.angle (fields), [], 1), [], 2);
   [history.psi, history.tip_psi] = deal (psi(1,:), psi(end,:));
-  history.largest_strain = max (max (abs (system.surface.strains (fields))));
+  history.largest_strain = max (max (abs (system.surface.strains (fields, system.rod))));
 endfunction
 
 ## along the normal, N, to a tip mass; empty without one

@@ -1,10 +1,11 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{rod} =} section_on_surface (@var{rod})
+## @deftypefn {} {@var{rod} =} section_on_surface (@var{rod}, @var{strain})
 ## The @var{rod} of a scene on a surface with the stiffnesses and inertia of its section: stated, or those of a
-## rectangle of a material (see @code{surface_scene_fields}), whose normal stresses work along the rod alone.
+## rectangle of a material (see @code{surface_scene_fields}), whose normal stresses work along the rod alone; and with
+## the exponent of its axial @var{strain}, "Green" or "engineering" (see maxima/surface/rod.mac).
 ## @end deftypefn
 
-function rod = section_on_surface (rod)
+function rod = section_on_surface (rod, strain = "Green")
   check_section (rod);
   if (isempty (rod.EA))
     section = rod_section (rod, struct ("energy", "uniaxial", "rotary_inertia", true));
@@ -22,6 +23,10 @@ function rod = section_on_surface (rod)
   endfor
   if (isempty (rod.half_height))
     rod.half_height = rod.length/200;
+  endif
+  rod.strain_exponent = 1;
+  if (strcmp (strain, "engineering"))
+    rod.strain_exponent = 1/2;
   endif
 endfunction
 
@@ -45,4 +50,6 @@ endfunction
 %! rod = section_on_surface (with ("EA", 1, "EI", 2, "rhoA", 3));
 %! assert ([rod.EI_normal, rod.GJ, rod.rhoI, rod.half_height], [2 0 0 1/200]);
 %! assert (section_on_surface (with ("EA", 1, "EI", 2, "rhoA", 3, "GJ", 4)).GJ, 4);
+%! assert (section_on_surface (with ("EA", 1, "EI", 2, "rhoA", 3), "engineering").strain_exponent, 1/2);
+%! assert (section_on_surface (with ("EA", 1, "EI", 2, "rhoA", 3), "Green").strain_exponent, 1);
 %!error <rod.width and rod.half_height are missing> section_on_surface (with ())

@@ -33,7 +33,8 @@ function system = surface_rod (scene)
   inside = base_at (system.points, system.weights);
   system.parts = struct ("base", inside, "rod", r);
   if (scene.tip_mass > 0)
-    point = struct ("rhoA", scene.tip_mass, "rhoI", 0, "EA", 0, "EI", 0, "EI_normal", 0, "GJ", 0, "damping", 0);
+    point = struct ("rhoA", scene.tip_mass, "rhoI", 0, "EA", 0, "EI", 0, "EI_normal", 0, "GJ", 0, "damping", 0, ...
+                    "strain_exponent", 1);
     system.parts(2) = struct ("base", base_at (r.length, 1), "rod", point);
   endif
   [system.loads, system.springs] = held_on_surface (scene, base_at);

@@ -13,8 +13,10 @@
 ## tangent plane, from initial.point at initial.angle from the chart's first direction to its second, unless
 ## initial.shape gives its place.  The first of the ends is that of xi = 0.  On a surface with a side the rod lies on
 ## that side of it (1: where the normal points, -1: the other), 0: it cannot leave it.  The chart's coordinates along
-## the rod are model.modes polynomials and model.sines sines beside the start. A pixel's tolerance is half of one,
-## where the rod fills the frame's smaller side.
+## the rod are model.modes polynomials and model.sines sines beside the start.  The axial force is EA times model.strain:
+## Green's, (5), half the change of the square of the stretch, or the engineering strain, the stretch less 1, which
+## Reissner's geometrically exact rod has.  A pixel's tolerance is half of one, where the rod fills the frame's smaller
+## side.
 ## @end deftypefn
 
 function fields = surface_scene_fields ()
@@ -41,6 +43,7 @@ function fields = surface_scene_fields ()
      "view.turning",        0,                  "number in degrees per second"
      "model.modes",         "auto",             "\"auto\" or two numbers of polynomials [N1 N2]"
      "model.sines",         [0 0],              "two numbers of sines [N1 N2]"
+     "model.strain",        "Green",            "\"Green\" or \"engineering\""
      "solver.name",         "auto",             solver_names({"rate", "residual"})}
     of("solver.step", "solver.tolerance")
   ];
