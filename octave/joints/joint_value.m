@@ -34,7 +34,7 @@ function angle = stated_angle (joint, bodies)
 endfunction
 
 function angle = tangent_of (body, station)
-  angle = body.initial.phi + undeformed_angle (body.rod, body.model, station);
+  angle = body.initial.phi + undeformed_angle (body, station);
 endfunction
 
 %!assert (joint_value (struct ("kind", "position", "value", [1 2]), "joints(1).value", []) (5), [1 2; 0 0; 0 0])

@@ -1,25 +1,26 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{base}, @var{arrays}] =} curved_base (@var{base}, @var{rod}, @var{section}, @var{energy})
+## @deftypefn {} {[@var{base}, @var{arrays}] =} curved_base (@var{base}, @var{rod}, @var{section}, @var{energy}, @
+##   @var{tip_mass})
 ## The @var{base} functions (see @code{base_functions}) of a straight rod as those of a curved one (see
 ## @code{curved_functions}): with its axis (see @code{rod_axis}) and turned, and their @var{arrays} (see
-## @code{curved_arrays}).  @var{energy} is the scene's model.energy.
+## @code{curved_arrays}).  @var{energy} is the scene's model.energy, @var{tip_mass} (kg) its own.
 ##
 ## They are turned back so that they have no angular momentum (the frame of Tisserand): else they come near a rotation
 ## of the whole rod.  `make conditioning' shows what this makes of the mass matrix's condition.
 ## @end deftypefn
 
-function [base, arrays] = curved_base (base, rod, section, energy)
+function [base, arrays] = curved_base (base, rod, section, energy, tip_mass = 0)
   if (! isempty (rod.EA) || ! strcmp (energy, "paper"))
     by_section = [];
   else
     by_section = rod;
   endif
   most = max ([numel(base.longitudinal), numel(base.transversal)]);
-  axis = rod_axis (rod, max (16, ceil (most/2)), section);
-  arrays = curved_arrays (base, axis, section, by_section);
+  axis = rod_axis (rod, max (16, ceil (most/2)), section, tip_mass);
+  arrays = curved_arrays (base, axis, section, by_section, tip_mass);
   base.axis = axis;
   base.turned = arrays.coupling_vector.'/arrays.moment_of_inertia;
-  arrays = curved_arrays (base, axis, section, by_section);
+  arrays = curved_arrays (base, axis, section, by_section, tip_mass);
 endfunction
 
 %!test # no angular momentum is left

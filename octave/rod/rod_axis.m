@@ -1,13 +1,13 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{axis} =} rod_axis (@var{rod}, @var{panels}, @var{section})
+## @deftypefn {} {@var{axis} =} rod_axis (@var{rod}, @var{panels}, @var{section}, @var{tip_mass})
 ## The undeformed centreline of a curved @var{rod} (a checked scene's field) at the Gauss points of so many equal
 ## @var{panels}, cut where its curvature jumps: a struct of xi (1-by-p, m), weights (m), ends (of the panels), kappa
-## (1/m), theta (rad), x, y (m) and tilt (rad).  The frame's x axis goes from O through the centre of mass; tilt is the
-## tangent's angle against it at O.  The @var{section} (see @code{rod_section}) counts where it is thick: it has more
-## of its mass outside the centreline; by default it is thin.
+## (1/m), theta (rad), x, y (m) and tilt (rad).  The frame's x axis goes from O through the centre of mass, that of the
+## rod with its @var{tip_mass} (kg); tilt is the tangent's angle against it at O.  The @var{section} (see
+## @code{rod_section}) counts where it is thick: it has more of its mass outside the centreline; by default it is thin.
 ## @end deftypefn
 
-function axis = rod_axis (rod, panels, section = struct ("rhoA", 1, "rhoI", 0))
+function axis = rod_axis (rod, panels, section = struct ("rhoA", 1, "rhoI", 0), tip_mass = 0)
   [nodes, weights] = gauss_rule (8);
   axis.ends = unique ([linspace(0, rod.length, panels + 1), rod.curvature_breaks(:).']);
   steps = diff (axis.ends);
@@ -22,7 +22,8 @@ function axis = rod_axis (rod, panels, section = struct ("rhoA", 1, "rhoI", 0))
   axis.x = x;
   axis.y = y;
   [~, S_1, S_2] = curved_rod_constants (axis, section);
-  axis.tilt = -atan2 (S_2*axis.weights.', S_1*axis.weights.');
+  to_tip = integrals_to (axis, rod.length).';
+  axis.tilt = -atan2 (S_2*axis.weights.' + tip_mass*sine*to_tip, S_1*axis.weights.' + tip_mass*cosine*to_tip);
   axis.theta += axis.tilt;
   [axis.x, axis.y] = rod_centreline (axis.tilt*ones (size (x)), x, 0*x, y);
 endfunction

@@ -76,3 +76,25 @@ endfunction
 %! lowest = @(degrees) curved_frequencies (degrees, 1e3/deg2rad (degrees), "free", 10)(4)*deg2rad (degrees)^2;
 %! assert (lowest (1), beta^2, -1e-3);
 %! assert ((lowest (20) - lowest (1))/(lowest (10) - lowest (1)), 4, 0.2);
+%!function f = hung_semicircle (scene)   # Hz, with so little weight that the linear theory holds
+%!  evalc ("rows = natural_modes (scene, 'output', '');");
+%!  f = [rows(1:6).f];
+%!endfunction
+%!test # with a tip mass those of the geometrically exact rod on a plane, and of a mechanism's body
+%! scene = struct ("rod", arc_pendulum ().rod, "tip_mass", 0.2, "gravity", 0.2, "duration", 1);
+%! scene.model = struct ("modes", [10 20], "energy", "uniaxial");
+%! checked = check_scene (scene);
+%! section = rod_section (checked.rod, checked.model);
+%! plane = struct ("tip_mass", 0.2, "gravity", 0.2, "duration", 1, "ends", {{"hinge", "free"}});
+%! plane.surface = struct ("name", "plane", "inclination", pi/2);
+%! plane.rod = struct ("length", scene.rod.length, "curvature", scene.rod.curvature, "EA", section.EA, ...
+%!                     "EI", section.EI, "rhoA", section.rhoA, "rhoI", section.rhoI);
+%! plane.initial.angle = -0.5;
+%! plane.model.modes = [18 18];
+%! of_rod = hung_semicircle (scene);
+%! assert (of_rod, hung_semicircle (plane), -1e-3);
+%! assert (abs (hung_semicircle (setfield (scene, "tip_mass", 0))(2:4)./of_rod(2:4) - 1) > 0.05);
+%! body = struct ("rod", scene.rod, "tip_mass", 0.2, "model", scene.model);
+%! hung = struct ("bodies", {{body}}, "duration", 1, "gravity", 0.2);
+%! hung.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
+%! assert (hung_semicircle (hung), of_rod, -1e-6);

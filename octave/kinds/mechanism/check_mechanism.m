@@ -36,8 +36,8 @@ function body = check_body (body, what)
   check_section (body.rod, [what "."]);
   if (! isempty (body.rod.curvature))
     check_curvature (body.rod, [what "."]);
-    if (body.tip_mass > 0 || strcmp (body.model.stiffening, "foreshortening"))
-      scene_error ("%s.rod.curvature is given: a curved rod takes no tip_mass and no model.stiffening", what);
+    if (strcmp (body.model.stiffening, "foreshortening"))
+      scene_error ("%s.rod.curvature is given: a curved rod takes no model.stiffening = \"foreshortening\"", what);
     endif
   endif
   if (strcmp (body.model.axial, "quasistatic"))

@@ -20,11 +20,11 @@ function model = free_rod_model (body, rung)
   model.base = base_functions ([1:rung.sines(1), more.elongations], [1:rung.sines(2), more.corrections], model.length);
   if (isempty (body.rod.curvature))
     arrays = rod_arrays (model.base, model.section, model.shortening);
+    if (body.tip_mass > 0)
+      arrays = add_point_mass (arrays, model.base, model.length, body.tip_mass, model.shortening);
+    endif
   else
-    [model.base, arrays] = curved_base (model.base, body.rod, model.section, body.model.energy);
-  endif
-  if (body.tip_mass > 0)
-    arrays = add_point_mass (arrays, model.base, model.length, body.tip_mass, model.shortening);
+    [model.base, arrays] = curved_base (model.base, body.rod, model.section, body.model.energy, body.tip_mass);
   endif
   arrays.damping = body.rod.damping;
   [arrays.slope_1, arrays.slope_2] = slopes_at (model.base, 0, model.shortening);

@@ -11,7 +11,8 @@ function model = build_curved_model (scene, rung)
   model.shortening = 0;
   correction = repmat (-1, 1, rung.sines(2) > 0 && moment_at_O (scene));
   model.base = base_functions (1:rung.sines(1), [1:rung.sines(2), correction], model.length);
-  [model.base, arrays] = curved_base (model.base, scene.rod, model.section, scene.model.energy);
+  [model.base, arrays] = curved_base (model.base, scene.rod, model.section, scene.model.energy, ...
+                                      scene.tip_mass);
   model.arrays = arrays;
   model.basis = eye (columns (arrays.mass_matrix));
   [model.whole_mass_matrix, model.whole_coupling_vector] = deal (arrays.mass_matrix, arrays.coupling_vector);

@@ -5,12 +5,12 @@
 ## @end deftypefn
 
 function check_curved (scene)
-  refused = {"rotation", ! isempty(scene.rotation); "force", ! isempty(scene.force); "tip_mass", scene.tip_mass > 0
+  refused = {"rotation", ! isempty(scene.rotation); "force", ! isempty(scene.force)
              "model.stiffening = \"foreshortening\"", strcmp(scene.model.stiffening, "foreshortening")
              "model.axial = \"quasistatic\"", strcmp(scene.model.axial, "quasistatic")};
   for row = refused.'
     if (row{2})
-      scene_error ("%s and rod.curvature are both given: a curved rod takes a moment at O and its weight", row{1});
+      scene_error ("%s and rod.curvature are both given: a curved rod takes a moment at O, a tip mass and its weight", row{1});
     endif
   endfor
   check_curvature (scene.rod, "");
