@@ -20,6 +20,7 @@ function [states, count] = integrate (system, times, solver)
   method = method_of (system, solver.name);
   tolerance = solver.tolerance;
   solver.tolerance /= method.share;
+  solver.name = method.name;
   limit = Inf;
   if (isfield (solver, "seconds"))
     limit = solver.seconds;

@@ -16,7 +16,7 @@ function [states, steps] = integrate_fixed (method, order, system, times, y, sol
   endif
   n = rows (system.mass);
   omega = highest_frequency (system);
-  h = min ((times(end) - times(1))/100, min (0.8*stability_limit (func2str (method)), 20)/max (omega, realmin));
+  h = min ((times(end) - times(1))/100, min (0.8*stability_limit (solver.name), 20)/max (omega, realmin));
   [states, steps] = march (method, system, times, y, solver, h);
   do
     coarse = states;
@@ -28,7 +28,7 @@ function [states, steps] = integrate_fixed (method, order, system, times, y, sol
 endfunction
 
 function [states, steps] = march (method, system, times, y, solver, h)
-  name = func2str (method);
+  name = solver.name;
   needed = sum (ceil (diff (times)/h*(1 - 1e-9)));
   if (needed > 1e8)
     what = sprintf ("it would take %.2g steps, more than 1e8", needed);
@@ -76,7 +76,7 @@ endfunction
 %! assert (count.steps, 100);
 %! assert (count.calls, 400);
 %!error <rk4 stopped at t = 0 s of 1 s: it would take 1e\+09 steps, more than 1e8: .*; try steps below 0.028 s, a longer>
-%! integrate_fixed (@rk4, 4, struct ("mass", 1, "stiffness", 1e4), [0 1], [1; 0], struct ("step", 1e-9));
+%! integrate_fixed (@rk4, 4, struct ("mass", 1, "stiffness", 1e4), [0 1], [1; 0], struct ("name", "rk4", "step", 1e-9));
 %!error <rk4 stopped at t = \d.* s of 20 s: then its state is no number: a step of 0.1 s .* is 10 where .* stable below 2.828>
 %! system = struct ("mass", 1, "stiffness", 1e4, "rate", @(t, y) [y(2); -1e4*y(1)]);
-%! integrate_fixed (@rk4, 4, system, 0:20, [1; 0], struct ("step", 0.1));
+%! integrate_fixed (@rk4, 4, system, 0:20, [1; 0], struct ("name", "rk4", "step", 0.1));

@@ -46,6 +46,7 @@ function table = integrator_table (forms)
     "implicit_midpoint", "momenta",       fixed(@implicit_midpoint),                      2, false, 4,   false
     "generalized_alpha", "accelerations", fixed(@generalized_alpha),                      2, false, 4,   false
     "trigonometric",     "momenta",       fixed(@trigonometric),                          2, false, 4,   false
+    "generalized_alpha", "residual",      fixed(@residual_alpha),                         2, false, 4,   false
     "gauss",             "residual",      @integrate_gauss,                               8, true,  1,   true
     "radau",             "constrained",   constrained(@integrate_radau),                  9, true,  1,   true
     "radau",             "residual",      @integrate_radau_residual,                     9, true,  4,   true

@@ -9,4 +9,4 @@ function kind = solver_names (forms)
   kind = [strjoin(names(1:end-1), ", "), " or ", names{end}];
 endfunction
 
-%!assert (solver_names ({"residual"}), "\"auto\", \"gauss\" or \"radau\"")
+%!assert (solver_names ({"residual"}), "\"auto\", \"generalized_alpha\", \"gauss\" or \"radau\"")

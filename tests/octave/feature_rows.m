@@ -45,7 +45,7 @@ function rows = feature_rows ()
     "foreshortening", {"model.stiffening", "foreshortening"}, {"model.stiffening", "foreshortening"}, ...
       {"model.stiffening", "foreshortening"}, {"", "", "", "always: displacements are large"}
     "longitudinal modes without inertia", {"model.axial", "quasistatic"}, {"model.axial", "quasistatic"}, ...
-      {"model.axial", "quasistatic"}, none
+      {"model.axial", "quasistatic"}, {"", "", "", "stretching is no coordinate of its own"}
     "number of modes chosen", {"model.modes", "auto"}, {"model.modes", "auto"}, {"model.modes", "auto"}, none
   };
 endfunction

@@ -92,22 +92,28 @@ function scene = changed (scene, change)
   endif
 endfunction
 
-## integrators by the form of the equations that they take
+## integrators by the form of the equations that they take; a name that has stood before has its row
 function text = rows_of_forms (scenes)
   [~, ~, ~, in_hub] = built (changed (scenes{1}, {"rotation", @(t) [0 0 0]}));
   text = "";
+  stood = {};
   for form = unique ({integrator_table().form}, "stable")
     cells = why_not (form{1});
+    names = {integrator_table(form).name};
+    if (! strcmp (form{1}, "constrained"))
+      names = setdiff (names, stood, "stable");
+    endif
+    stood = [stood, names];
     for k = 1:4
       [~, ~, ~, system] = built (scenes{k});
-      if (ismember (form{1}, system.forms))
+      if (all (ismember (names, {integrator_table(system.forms).name})))
         cells{k} = "yes";
       endif
     endfor
     if (strcmp (form{1}, "momenta") && ! isfield (in_hub, "momenta"))
       cells{1} = [cells{1} ", not in a hub"];
     endif
-    text = [text, table_row(["`" strjoin({integrator_table(form).name}, "`, `") "`"], cells)];
+    text = [text, table_row(["`" strjoin(names, "`, `") "`"], cells)];
   endfor
 endfunction
 

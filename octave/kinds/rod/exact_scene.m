@@ -34,7 +34,7 @@ function [plane, lacks] = exact_scene (scene)
     plane.force_station = scene.force_station;
   endif
   plane.joints = arrayfun (@on_plane, scene.joints(:).', "uniformoutput", false);
-  plane.solver = struct ("name", scene.solver.name, "tolerance", scene.solver.tolerance);
+  plane.solver = rmfield (scene.solver, "step");
   if (! isempty (scene.solver.step))
     plane.solver.step = scene.solver.step;
   endif

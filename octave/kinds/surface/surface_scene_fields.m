@@ -45,7 +45,7 @@ function fields = surface_scene_fields ()
      "model.sines",         [0 0],              "two numbers of sines [N1 N2]"
      "model.strain",        "Green",            "\"Green\" or \"engineering\""
      "solver.name",         "auto",             solver_names({"rate", "residual"})}
-    of("solver.step", "solver.tolerance")
+    of("solver.step", "solver.rho_infinity", "solver.tolerance")
   ];
 endfunction
 
@@ -59,5 +59,6 @@ endfunction
 %! expected = {"rod.length", NaN; "rod.lambda", 1.2e11; "rod.mu", 8.1e10; "rod.density", 7800
 %!             "rod.damping", 0; "tip_mass", 0; "gravity", 9.81; "moment", 0; "tip_moment", 0; "force", [0 0 0]
 %!             "initial.point", [0 0]; "initial.angle", 0; "duration", NaN; "frames_per_second", 50
-%!             "frame_size", [1280 720]; "view.elevation", 35; "view.azimuth", 30; "view.turning", 0; "model.sines", [0 0]};
+%!             "frame_size", [1280 720]; "view.elevation", 35; "view.azimuth", 30; "view.turning", 0; "model.sines", [0 0]
+%!             "solver.rho_infinity", 0.8};
 %! assert (numbers, expected);
