@@ -20,13 +20,13 @@ function job = draw_response (found, title, scratch)
   job = start_gnuplot (scratch, "response.gp");
 endfunction
 
-%!test
-%! found = struct ("f", [1 2 3], "response", rand (2, 1, 3), "inputs", {{"pull [N]"}}, ...
+%!function text = drawn (folder, scratch)
+%!  found = struct ("f", [1 2 3], "response", rand (2, 1, 3), "inputs", {{"pull [N]"}}, ...
 %!                 "outputs", {{"x [m]", "y [m]"}});
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   draw = {@(scratch) draw_response(found, "Pulled", scratch)};
-%!   assert (draw_files (folder, draw, {"response.svg", "response.png"}), cell (0, 2));
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%!  finish_tool (draw_response (found, "Pulled", scratch));
+%!  text = fileread (fullfile (scratch, "settings.gp"));
+%!  assert ([is_whole(fullfile (folder, "response.svg")), is_whole(fullfile (folder, "response.png"))], [true true]);
+%!endfunction
+%!test
+%! text = in_scratch (@drawn);
+%! assert (regexp (text, 'f_(?:low|high) = (\S+)', "tokens"), {{"1"}, {"3"}}); assert (numel (strfind (text, "$curve_")), 2);

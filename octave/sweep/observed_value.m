@@ -78,7 +78,7 @@ endfunction
 %!test # by hand, frames 1 s and 2 s apart
 %! expected = {"max psi", 2; "min psi", -4; "max|psi|", 4; "range psi", 6; "range|psi|", 4; "first psi", 2
 %!             "last psi", 0; "mean psi", (-1 - 4)/3; "mean|psi|", (3 + 4)/3; "rms psi", sqrt((10 + 16)/3)
-%!             "psi at t=0.5", -1; "|psi| at t=2", 2; "psi at t=3", 0; "last t", 3; "modes(2)", 7; "none", NaN
+%!             "psi at t=0", 2; "psi at t=0.5", -1; "|psi| at t=2", 2; "psi at t=3", 0; "last t", 3; "modes(2)", 7; "none", NaN
 %!             "seconds.total", 3; "yes", 1; "modes.f(2)", 4; "statics.tip_x", 5};
 %! for pair = expected.'
 %!   assert (of (pair{1}), pair{2}, 1e-15);

@@ -113,3 +113,8 @@ endfunction
 %! [system, q, v] = sample_state ();
 %! both = system.at ([0.1 0.2], [q, q], [v, -v]);
 %! assert (both.force(:,2), system.at (0.2, q, -v).force, 1e-10);
+%!test # what forces turn their sign with the velocity take is dissipated, by rods and by dampers
+%! [system, q, v] = sample_state ();
+%! [ahead, back] = deal (system.at (0.1, q, v), system.at (0.1, q, -v));
+%! assert (v.'*(ahead.force - back.force)/2, -ahead.dissipated, 1e-9*ahead.dissipated);
+%! assert (ahead.rods.dissipated > 0.01*ahead.dissipated && ahead.springs.dissipated > 0.01*ahead.dissipated);
