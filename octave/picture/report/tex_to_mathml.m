@@ -40,7 +40,7 @@ function [mathml, rest] = scripted (rest)
   if (! any (strcmp (rest{1}, {"^", "_"})))
     [mathml, rest] = atom_of (rest);
   endif
-  scripts = {"", ""};
+  scripts = {"", ""};  # below and above
   while (! isempty (rest) && any (strcmp (rest{1}, {"^", "_", "'"})))
     mark = rest{1};
     rest(1) = [];
@@ -54,15 +54,7 @@ function [mathml, rest] = scripted (rest)
       scripts{2} = [scripts{2}, script];
     endif
   endwhile
-  filled = ! cellfun (@isempty, scripts);
-  if (any (filled))
-    kinds = {"msub", "msup", "msubsup"};
-    if (strcmp (mathml, "<mo>∑</mo>"))
-      kinds = {"munder", "mover", "munderover"};
-    endif
-    kind = kinds{filled*[1; 2]};
-    mathml = ["<" kind ">" mathml scripts{filled} "</" kind ">"];
-  endif
+  mathml = mathml_scripts (mathml, scripts{:});
 endfunction
 
 function mathml = row (parts)
@@ -135,9 +127,8 @@ endfunction
 %! assert (! isempty (strfind (tex_to_mathml ("{\\rm atan2}(x)"), "<mi>atan2</mi>")));
 %!test # parentheses are one thing
 %! assert (! isempty (strfind (tex_to_mathml ("\\left(a\\right)^2"), "<mo>)</mo></mrow><mn>2</mn></msup>")));
-%!test # scripts stand above each other, and a prime with them; limits of a sum below it
+%!test # scripts stand above each other, and a prime with them
 %! assert (! isempty (strfind (tex_to_mathml ("M'_j"), "<msubsup><mi>M</mi><mi>j</mi><mo>′</mo></msubsup>")));
-%! assert (! isempty (strfind (tex_to_mathml ("\\sum_k"), "<munder><mo>∑</mo><mi>k</mi></munder>")));
 %!test # roots and names of several letters
 %! assert (! isempty (strfind (tex_to_mathml ("\\sqrt{a}"), "<msqrt><mrow><mi>a</mi></mrow></msqrt>")));
 %! assert (! isempty (strfind (tex_to_mathml ("{\\it half\\_angle}^2"), "<mi>half_angle</mi>")));
