@@ -46,10 +46,6 @@ function refuse_unknown (given, prefix, names, what)
   endfor
 endfunction
 
-function found = has_field (given, path)
-  found = isfield (given, path{1}) && (numel (path) == 1 || isfield (given.(path{1}), path{2}));
-endfunction
-
 %!assert (take_fields (struct ("a", 2), {"a", 1, "number"; "b.c", 3, "number"}, "a thing"), ...
 %!        struct ("a", 2, "b", struct ("c", 3)))
 %!error <bodies\(2\).a is missing: it takes number> take_fields (struct (), {"a", NaN, "number"}, "bodies(2)")

@@ -15,9 +15,9 @@ function scene = check_surface_scene (given)
   for field = fields.'
     [name, value, kind] = field{:};
     path = strsplit (name, ".");
-    if (is_given (given, path))
+    if (has_field (given, path))
       value = getfield (given, path{:});
-      check_value (name, value, kind);
+      check_surface_value (name, value, kind);
     elseif (isnumeric (value) && isscalar (value) && isnan (value))
       scene_error ("%s is missing: it takes %s", name, kind);
     endif
@@ -74,30 +74,6 @@ function refuse_moving (scene)
   endif
 endfunction
 
-function check_value (name, value, kind)
-  switch (name)
-    case "ends"
-      good = iscellstr (value) && numel (value) == 2 && all (ismember (value, {"free", "hinge", "clamped"}));
-    case "force"
-      good = is_function_handle (value) || (isnumeric (value) && numel (value) == 3 && all (isfinite (value)));
-    case "initial.point"
-      good = isnumeric (value) && isreal (value) && numel (value) == 2 && all (isfinite (value));
-    case "model.modes"
-      good = strcmp (value, "auto") || (isempty (value_error ("[N1 N2]", value)) && all (value >= 3));
-      kind = [kind ", at least 3 each"];
-    otherwise
-      good = isempty (value_error (kind, value)) || (isempty (value) && ! isempty (strfind (name, "initial")));
-  endswitch
-  if (! good)
-    got = value_error ("nothing", value);
-    scene_error ("%s is %s: it takes %s", name, got, kind);
-  endif
-endfunction
-
-function found = is_given (given, path)
-  found = isfield (given, path{1}) && (numel (path) == 1 || isfield (given.(path{1}), path{2}));
-endfunction
-
 function refuse_unknown (given, prefix, names)
   for [value, key] = given
     name = [prefix key];
@@ -124,10 +100,6 @@ endfunction
 %!error <rod.EA, rod.EI and rod.rhoA are given together>
 %! check_surface_scene (setfield (smallest (), "rod", struct ("length", 1, "EA", 1)))
 %!error <colour is not a field of a scene on a surface> check_surface_scene (setfield (smallest (), "colour", 1))
-%!error <ends is a 1-by-1 cell: it takes two of "free", "hinge" and "clamped">
-%! check_surface_scene (setfield (smallest (), "ends", {"free"}))
-%!error <model.modes is 2   2: it takes "auto" or two numbers>
-%! check_surface_scene (setfield (smallest (), "model", "modes", [2 2]))
 %!error <force gives 3 at t = 0: it takes 3 numbers> check_surface_scene (setfield (smallest (), "force", @(t) 3))
 %!error <tip_moment fails at t = 0: no> check_surface_scene (setfield (smallest (), "tip_moment", @(t) error ("no")))
 %!error <surface.side is not 1, -1 or 0> check_surface_scene (setfield (smallest (), "surface", "side", 2))
@@ -145,10 +117,6 @@ endfunction
 %!error <rod.colour is not a field of a scene on a surface>
 %! check_surface_scene (setfield (smallest (), "rod", "colour", 1))
 %!error <rod is not a field of a scene on a surface> check_surface_scene (setfield (smallest (), "rod", 1))
-%!error <ends is a 1-by-2 cell: it takes> check_surface_scene (setfield (smallest (), "ends", {"free", "loose"}))
-%!error <force is 1   2: it takes three numbers> check_surface_scene (setfield (smallest (), "force", [1 2]))
-%!error <initial.point is 1   2   3: it takes>
-%! check_surface_scene (setfield (smallest (), "initial", "point", [1 2 3]))
 %!error <^rods is not a field of a scene on a surface>
 %! check_surface_scene (setfield (smallest (), "rods", struct ("GJ", 1)))
 %!error <rotation gives theta_dot = .*: it takes an angle and its rates>
