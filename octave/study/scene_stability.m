@@ -104,7 +104,7 @@ endfunction
 ## of the highest mode's amplitude in 20 steps, beside what the same time does to it
 function factor = measured_growth (system, mode, name, h_omega, exact)
   seconds = 20*h_omega/mode.omega;
-  amplitude = amplitudes (system, mode, name, seconds/20, [0, seconds])(2);
+  amplitude = mode_amplitudes (system, mode, name, seconds/20, [0, seconds])(2);
   factor = (amplitude/exact (seconds))^(1/20);
   if (isnan (factor))
     factor = Inf;
@@ -114,37 +114,8 @@ endfunction
 ## a function of the time (s), to that of 20 steps a third beyond rk4's limit: by steps so short that nothing grows
 function exact = true_amplitudes (system, mode)
   times = (0:5:75)/mode.omega;
-  found = amplitudes (system, mode, "rk4", 0.35/mode.omega, times);
+  found = mode_amplitudes (system, mode, "rk4", 0.35/mode.omega, times);
   exact = @(t) interp1 (times, found, t, "spline", NaN);
-endfunction
-
-## at the times; NaN where the integration fails
-function found = amplitudes (system, mode, name, h, times)
-  solver = struct ("name", name, "tolerance", 1, "step", h);
-  found = NaN (size (times));
-  try
-    [states, moved] = both_motions (system, mode.shape, times, solver);
-    found = mode.amplitude (moved, states);
-  catch err
-    rethrow_others (err, "toolchain:integration");
-  end_try_catch
-endfunction
-
-## from the start and from a little beside it, at once where the method calls rates, which take a column a state
-function [states, moved] = both_motions (system, beside, times, solver)
-  table = integrator_table (system.forms);
-  if (strcmp (table(strcmp ({table.name}, solver.name)).form, "rate"))
-    n = numel (system.initial_state);
-    pair = setfield (system, "initial_state", [system.initial_state; system.initial_state + beside]);
-    pair.rate = @(t, y, interval) system.rate ([t, t], reshape (y, n, 2), interval)(:);
-    both = integrate (pair, times, solver);
-    states = both(1:n,:);
-    moved = both(n+1:end,:);
-  else
-    states = integrate (system, times, solver);
-    system.initial_state += beside;
-    moved = integrate (system, times, solver);
-  endif
 endfunction
 
 %!error <cannot be made|can be written> scene_stability ("paper", "output", "/proc/nowhere")
