@@ -27,7 +27,7 @@ function table = work_precision (scene = "paper", varargin)
     rungs = rung_rows (kind, scene, ladder, choice, choice.reference, min (budget/10, left ()/4));
   endif
   cost = cost_of_size (kind, scene, 2.^(1:6), min (budget/10, left ()/4));
-  found = measure_all (kind, scene, model, system, reference, @() left () - min (3, budget/10));
+  found = method_curves (kind, scene, model, system, reference, @() left () - min (3, budget/10));
   if (isequal (rung, kind.literal (scene)))
     found = [found, literal_rows(found)];
   endif
@@ -57,32 +57,6 @@ function [rung, choice, ladder] = charted (kind, scene, left)
   endif
 endfunction
 
-## a point of each method, then more, of the fastest first
-function table = measure_all (kind, scene, model, system, reference, left)
-  methods = usable_methods (integrator_table (system.forms));
-  weights = 1 + 3*strcmp ({methods.name}, system.auto) + 2*strcmp ({methods.name}, "ode45");
-  for k = 1:numel (methods)
-    seconds = max (left (), 0)/2*weights(k)/sum (weights(k:end));
-    curves{k} = method_curve (kind, scene, model, methods(k), reference, seconds);
-    report (curves{k});
-  endfor
-  [~, order] = sort (cellfun (@seconds_of, curves));
-  for k = order
-    seconds = max (left (), 0)*weights(k)/sum (weights(order(find (order == k):end)));
-    known = curves{k};
-    curves{k} = method_curve (kind, scene, model, methods(k), reference, seconds, known);
-    arrayfun (@report, curves{k}([curves{k}.parameter] != known.parameter));
-  endfor
-  table = [curves{:}];
-endfunction
-
-function seconds = seconds_of (row)
-  seconds = row.seconds;
-  if (! isempty (row.failure))
-    seconds = Inf;
-  endif
-endfunction
-
 ## the calls of ode45 on the same equations, at the price of a literal call
 function rows = literal_rows (table)
   rows = table(strcmp ({table.method}, "ode45"));
@@ -92,16 +66,6 @@ function rows = literal_rows (table)
     rows(k).seconds *= seconds(2)/seconds(1);
     rows(k).part = 0;  # none of it was run
   endfor
-endfunction
-
-function report (row)
-  note = row.failure;
-  if (row.part < 1)
-    note = [sprintf("(of %.2g %% of the duration) ", 100*row.part), note];
-  endif
-  printf ("  %-18s %-7.2g %8.2g m, %8.2f s, %9d calls %s\n", row.method, row.parameter, row.error_m, row.seconds, ...
-          row.calls, note);
-  fflush (stdout);
 endfunction
 
 %!error <model.modes is "many": it takes> work_precision ("paper", "modes", "many")
