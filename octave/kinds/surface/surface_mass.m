@@ -41,3 +41,19 @@ endfunction
 %! assert (M(1,1,:), reshape ([8 8], 1, 1, 2), 1e-12); assert (M(1,2,2), 5, 1e-12);  # at the end the slope's is 1
 %! rotary = surface_rod (check_surface_scene (setfield (scene, "rod", "rhoI", 0.1)));
 %! assert (surface_mass (rotary, zeros (6, 1))(5,5) - M(5,5,1), 0.1*2, 1e-12);  # its slope there is 2/l
+%!function multiplies_accelerations (system)
+%!  [z, e] = deal (0.1*ones (system.n, 1), full (eye (system.n)));
+%!  still = 0*z;
+%!  M = system.residual (0.5, repmat (z, 1, system.n), 0*e, e) - system.residual (0.5, z, still, still);
+%!  assert (surface_mass (system, z), M, 1e-9);
+%!endfunction
+%!test # it is what multiplies the accelerations: with all that has inertia, and where the chart's lines are aslant
+%! multiplies_accelerations (surface_rod (torus_pendulum ()));
+%! multiplies_accelerations (surface_rod (check_surface_scene (setfield (saddle (), "model", "modes", [4 4]))));
+%!test # and as a hub turns the chart
+%! for surface = {struct("name", "plane", "inclination", 0.7), struct("name", "sphere", "radius", 2)}
+%!   scene = on_level_plane ("surface", surface{1}, "ends", {{"clamped", "free"}}, "tip_mass", 0.3, ...
+%!                           "rotation", @(t) [0.3*t^2 + t, 0.6*t + 1, 0.6]);
+%!   scene.rod.rhoI = 0.4;
+%!   multiplies_accelerations (surface_rod (check_surface_scene (scene)));
+%! endfor

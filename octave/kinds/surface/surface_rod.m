@@ -9,11 +9,11 @@
 ## mass_matrix (z), tangent_stiffness and tangent_damping (t, z, z_dot, z_ddot; n-by-n-by-m), damped, rate, energies
 ## (t, z, z_dot; see @code{surface_energies}), refuse_singular (z, when), size (z), the largest displacement (m) that
 ## goes with a small change of z, turn (t, z) of a hub (3-by-m; see @code{turned_fields}), stopped () = the system
-## whose hub stands still where it is at the time, fields (t, z, z_dot, z_ddot,
-## stations) = place, as the surface's functions take it, at stations of the rod, surface, rod and gravity (likewise),
-## points and weights (p-by-1, m, of the quadrature), parts (what has mass: base, weights and rod of the rod and of a
-## tip mass, a rod at one place without stiffness), loads and springs (see @code{held_on_surface}; loaded, sprung: are
-## there any), breaks, state_scale, mass, stiffness (linear about the start), energy_floor (J), forms, auto, duration.
+## whose hub stands still where it is at the time, fields (t, z, z_dot, z_ddot, stations) = place, as the surface's
+## functions take it, at stations of the rod, surface, rod and gravity (likewise), points and weights (p-by-1, m, of
+## the quadrature), parts (what has mass: base, with its weights, and rod, of the rod and of a tip mass, a rod at one
+## place without stiffness), loads and springs (see @code{held_on_surface}), breaks, state_scale, mass, stiffness
+## (linear about the start), energy_floor (J), energy_rows (of W and D in y), forms, auto, warnings, duration.
 ## @end deftypefn
 
 function system = surface_rod (scene)
@@ -103,71 +103,19 @@ function refuse_no_direction (system, z)
   endif
 endfunction
 
-%!function scene = pendulum ()
-%!  scene = struct ("surface", struct ("name", "torus", "core_radius", 1, "tube_radius", 0.4), "duration", 1, ...
-%!                  "rod", struct ("length", 1, "EA", 100, "EI", 0.1, "EI_normal", 0.2, "GJ", 0.3, "rhoA", 2, ...
-%!                                 "rhoI", 0.4, "damping", 0.2, "curvature", [0.3 0.4]), "tip_mass", 0.7, ...
-%!                  "ends", {{"hinge", "free"}}, "model", struct ("modes", [4 5]), ...
-%!                  "tip_moment", 0.3, "force", [1 2 3]);
-%!  scene.initial = struct ("angle", 1);
-%!  scene.joints = {struct("kind", "spring", "stations", 0.6, "point", [1 2 3], "stiffness", 5, "damping", 3, ...
-%!                         "rest", 0.2)
-%!                  struct("kind", "force", "stations", 0.3, "value", [2 1 -1])
-%!                  struct("kind", "moment", "stations", 0.3, "value", 0.4)};
-%!  scene = check_surface_scene (scene);
-%!endfunction
-
-%!test # power of all forces is the rate of the energies, at a random state
-%! rand ("seed", 1);
-%! system = surface_rod (pendulum ());
-%! [z, z_dot, z_ddot] = deal (0.1*rand (system.n, 1), rand (system.n, 1), rand (system.n, 1));
-%! h = 1e-5;
-%! E = @(s) sum (surface_energies (system, 0, z + s*z_dot + s^2/2*z_ddot, z_dot + s*z_ddot)(1:3,:), 1);
-%! rate = (8*(E (h) - E (-h)) - (E (2*h) - E (-2*h)))/(12*h);
-%! power = z_dot.'*system.residual (0, z, z_dot, z_ddot) + [1 -1]*system.power (0, z, z_dot, z_ddot);
-%! assert (power, rate, 1e-7*abs (rate));
-%!test # and of a rod in a hub, what that does beside: on a plane, and on a sphere
-%! for surface = {struct("name", "plane", "inclination", 0.7), struct("name", "sphere", "radius", 2)}
-%!   scene = struct ("surface", surface{1}, "duration", 1, "ends", {{"clamped", "free"}}, "tip_mass", 0.3, ...
-%!                   "model", struct ("modes", [4 5]), "force", [1 2 3], "rotation", @(t) [0.3*t^2 + t, 0.6*t + 1, 0.6]);
-%!   scene.rod = struct ("length", 1, "EA", 100, "EI", 0.1, "GJ", 0.3, "rhoA", 2, "rhoI", 0.4, "damping", 0.2);
-%!   scene.joints = {struct("kind", "spring", "stations", 0.6, "point", [1 2 3], "stiffness", 5, "damping", 1)};
-%!   system = surface_rod (check_surface_scene (scene));
-%!   rand ("seed", 1);
-%!   [z, z_dot, z_ddot] = deal (0.1*rand (system.n, 1), rand (system.n, 1), rand (system.n, 1));
-%!   h = 1e-4;
-%!   E = @(s) sum (surface_energies (system, 0.5 + s, z + s*z_dot + s^2/2*z_ddot, z_dot + s*z_ddot)(1:3,:), 1);
-%!   rate = (8*(E (h) - E (-h)) - (E (2*h) - E (-2*h)))/(12*h);
-%!   power = z_dot.'*system.residual (0.5, z, z_dot, z_ddot) + [1 -1]*system.power (0.5, z, z_dot, z_ddot);
-%!   assert (power, rate, 1e-7*abs (rate));
-%!   e = full (eye (system.n));
-%!   M = system.residual (0.5, repmat (z, 1, system.n), 0*e, e) - system.residual (0.5, z, 0*z, 0*z);
-%!   assert (system.mass_matrix (z), M, 1e-9);
-%! endfor
-%!test # where the chart's lines are not at right angles, too
-%! scene = setfield (saddle (), "model", "modes", [4 4]);
-%! system = surface_rod (check_surface_scene (scene));
-%! [z, e] = deal (0.1*ones (system.n, 1), full (eye (system.n)));
-%! M = system.residual (0, repmat (z, 1, system.n), 0*e, e) - system.residual (0, z, 0*z, 0*z);
-%! assert (system.mass_matrix (z), M, 1e-9);
-%!test # the mass matrix is what multiplies the accelerations
-%! system = surface_rod (pendulum ());
-%! [z, e] = deal (0.1*ones (system.n, 1), full (eye (system.n)));
-%! M = system.residual (0, repmat (z, 1, system.n), 0*e, e) - system.residual (0, z, 0*z, 0*z);
-%! assert (system.mass_matrix (z), M, 1e-9);
 %!error <the rod meets a point at the start where the surface's chart is singular, near alpha = \(0.001, 0\)>
 %! scene = struct ("surface", struct ("name", "cone", "half_angle", 1), "duration", 1, ...
 %!                 "rod", struct ("length", 1, "EA", 100, "EI", 0.1, "rhoA", 2), "model", struct ("modes", [4 4]));
 %! scene.initial.point = [1e-3 0];
 %! surface_rod (check_surface_scene (scene));
 %!test # its rates are those that leave no residual, times beyond an interval are those of its ends, and what it tells
-%! system = surface_rod (pendulum ());
+%! system = surface_rod (torus_pendulum ());
 %! y = [0.05*ones(system.n, 1); 0.3*ones(system.n, 1); 0; 0];
 %! [z, z_dot] = deal (y(1:system.n), y(system.n+1:end-2));
 %! y_dot = system.rate (0.1, y, [0 1]);
 %! assert (system.residual (0.1, z, z_dot, y_dot(system.n+1:end-2)), zeros (system.n, 1), 1e-9);
 %! assert (y_dot(1:system.n), z_dot); assert (y_dot(end-1:end), system.power (0.1, z, z_dot, z_dot), 1e-12);
-%! scene = pendulum ();
+%! scene = torus_pendulum ();
 %! scene.force = @(t) [t 0 0];
 %! system = surface_rod (scene);
 %! for times = {-1, 0.2; 5, 0.7; 0.4, 0.4}.'
