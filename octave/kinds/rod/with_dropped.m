@@ -2,9 +2,9 @@
 ## @deftypefn {} {@var{system} =} with_dropped (@var{scene}, @var{model})
 ## The system of @code{rod_system} with the forces of what the @var{model} of a straight rod drops (see
 ## @code{dropped_forces}), taken along its own motion: how its motion differs is, to the first order, the model's error
-## against the geometrically exact rod.  Those forces need accelerations, which feel them: taken again and again, to a
-## hundredth, where modes along the rod are as fast as what bends it.  In a hub the tangent at O has the angle that its
-## slope really has.  Work and dissipated energy are left at 0.
+## against the geometrically exact rod.  Those forces and accelerations feel each other (see
+## @code{accelerations_with_dropped}), much where modes along the rod are as fast as what bends it.  In a hub the
+## tangent at O has the angle that its slope really has.  Work and dissipated energy are left at 0.
 ## @end deftypefn
 
 function system = with_dropped (scene, model)
@@ -36,7 +36,7 @@ function y_dot = hinged (t, y, interval, n, y_dot, c)
   phi_dot = y_dot(n+1,:);
   [mass_q_phi, mass_phi_phi, force_q, force_phi] = rod_forces (t, phi, phi_dot, q, q_dot, c);
   solved = @(f, g) rod_accelerations (c.rod, mass_q_phi, mass_phi_phi, force_q + f, force_phi + g);
-  [q_ddot, torque] = settled (solved, t, q, q_dot, phi, phi_dot, c);
+  [q_ddot, torque] = accelerations_with_dropped (solved, t, q, q_dot, phi, phi_dot, c);
   y_dot(n+2:2*n+1,:) = q_ddot;
   y_dot(2*n+2,:) += torque;
   y_dot(2*n+3:end,:) = 0;
@@ -57,41 +57,8 @@ function y_dot = in_hub (t, y, interval, n, c)
   [mass_q_phi, mass_phi_phi, force_q, force_phi] = rod_forces (t, phi, phi_dot, q, q_dot, c);
   solved = @(f, g) hub_accelerations (c.rod.inverse_mass_matrix, mass_q_phi, mass_phi_phi, gradient, force_q + f, ...
                                       force_phi + g, right_side);
-  q_ddot = settled (solved, t, q, q_dot, phi, phi_dot, c);
+  q_ddot = accelerations_with_dropped (solved, t, q, q_dot, phi, phi_dot, c);
   y_dot = [q_dot; q_ddot; zeros(2, columns (q))];
-endfunction
-
-## accelerations that feel the forces which they make, to a hundredth, and the torque among these
-function [q_ddot, torque] = settled (solved, t, q, q_dot, phi, phi_dot, c)
-  q_ddot = 0*q;
-  phi_ddot = 0*phi;
-  for pass = 1:10
-    last = q_ddot;
-    [more_q, torque] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c);
-    [q_ddot, phi_ddot] = solved (more_q, torque);
-    if (pass > 1 && norm (q_ddot - last, 1) <= 0.01*norm (q_ddot, 1))
-      return;
-    endif
-  endfor
-endfunction
-
-function [force_q, force_phi] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c)
-  none = zeros (1, columns (q));
-  motion = struct ("q", q, "q_dot", q_dot, "q_ddot", q_ddot, "phi", phi, "phi_dot", phi_dot, "phi_ddot", phi_ddot, ...
-                   "x_ddot", none, "y_ddot", none, "followers", []);
-  loads = struct ("gravity", c.gravity, "moment", none, "force_x", none, "force_y", none);
-  if (c.tangent)
-    loads.moment = c.moment (t);
-  endif
-  if (! isempty (c.force))
-    F = at_times (c.force, t);
-    loads.force_x = F(1,:);
-    loads.force_y = F(2,:);
-  endif
-  if (! isempty (c.followers))
-    motion.followers = rod_followers (motion, c.followers, c.gravity, loads);
-  endif
-  [force_q, force_phi] = dropped_forces (c.points, motion, loads);
 endfunction
 
 function varargout = angle_at_O (q, q_dot, points)

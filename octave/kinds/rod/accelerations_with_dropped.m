@@ -1,0 +1,77 @@
+## -*- texinfo -*-
+## @deftypefn {} {[@var{q_ddot}, @var{torque}] =} accelerations_with_dropped (@var{solved}, @var{t}, @var{q}, @
+##   @var{q_dot}, @var{phi}, @var{phi_dot}, @var{c})
+## Accelerations (n-by-m) of a straight rod that feel the forces of what its model drops (see @code{dropped_forces}),
+## and the @var{torque} on phi among these (1-by-m, N m), at the m times @var{t} and states.  Those forces need
+## accelerations, which feel them: taken again and again, ten times at most, to a hundredth.
+##
+## [q_ddot, phi_ddot] = @var{solved} (force_q, force_phi) are the accelerations with such forces beside all others.
+## @var{c} is what @code{rod_constants} gives, with points (see @code{dropped_points}), the model's followers, and
+## tangent: whether the moment works on the tangent at O.
+## @end deftypefn
+
+function [q_ddot, torque] = accelerations_with_dropped (solved, t, q, q_dot, phi, phi_dot, c)
+  q_ddot = 0*q;
+  phi_ddot = 0*phi;
+  for pass = 1:10
+    last = q_ddot;
+    [more_q, torque] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c);
+    [q_ddot, phi_ddot] = solved (more_q, torque);
+    if (pass > 1 && norm (q_ddot - last, 1) <= 0.01*norm (q_ddot, 1))
+      return;
+    endif
+  endfor
+endfunction
+
+function [force_q, force_phi] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c)
+  none = zeros (1, columns (q));
+  motion = struct ("q", q, "q_dot", q_dot, "q_ddot", q_ddot, "phi", phi, "phi_dot", phi_dot, "phi_ddot", phi_ddot, ...
+                   "x_ddot", none, "y_ddot", none, "followers", []);
+  loads = struct ("gravity", c.gravity, "moment", none, "force_x", none, "force_y", none);
+  if (c.tangent)
+    loads.moment = c.moment (t);
+  endif
+  if (! isempty (c.force))
+    F = at_times (c.force, t);
+    loads.force_x = F(1,:);
+    loads.force_y = F(2,:);
+  endif
+  if (! isempty (c.followers))
+    motion.followers = rod_followers (motion, c.followers, c.gravity, loads);
+  endif
+  [force_q, force_phi] = dropped_forces (c.points, motion, loads);
+endfunction
+
+%!function [c, q] = bent ()   # what it takes, and coordinates, of two bending modes
+%!  scene = setfield (setfield (swing (), "moment", @(t) 300*t), "force", @(t) [20 -30]*t);
+%!  scene.model = struct ("modes", [0 2], "stiffening", "foreshortening");
+%!  scene = check_scene (scene);
+%!  model = build_model (scene, rung_of_scene (scene));
+%!  c = setfield (rod_constants (scene, model), "points", dropped_points (model, scene));
+%!  c.followers = model.followers;
+%!  c.tangent = true;
+%!  q = [0.03; 0.005];
+%!endfunction
+%!function forces = of_accelerations (x, moment, q, c)   # on q and phi, from rest, under what else acts at t = 0.5
+%!  loads = struct ("gravity", 9.81, "moment", moment, "force_x", 10, "force_y", -15);
+%!  motion = struct ("q", q, "q_dot", 0*q, "q_ddot", x(1:2), "phi", 0.3, "phi_dot", 0, "phi_ddot", x(3), ...
+%!                   "x_ddot", 0, "y_ddot", 0, "followers", []);
+%!  [force, torque] = dropped_forces (c.points, motion, loads);
+%!  forces = [force; torque];
+%!endfunction
+%!test # forces and accelerations that belong to each other: the first ones are off by a tenth
+%! [c, q] = bent ();
+%! [m, mm, force_q, force_phi] = rod_forces (0.5, 0.3, 0, q, 0*q, c);
+%! x_ddot = @(forces) [c.rod.mass_matrix, m; m.', mm] \ ([force_q; force_phi] + forces);
+%! exact = fsolve (@(x) x - x_ddot (of_accelerations (x, 150, q, c)), x_ddot (zeros (3, 1)));
+%! solved = @(f, g) deal (x_ddot ([f; g])(1:2), x_ddot ([f; g])(3));
+%! [q_ddot, torque] = accelerations_with_dropped (solved, 0.5, q, 0*q, 0.3, 0, c);
+%! assert (q_ddot, exact(1:2), 0.01*norm (exact(1:2)));
+%! assert (torque, of_accelerations (exact, 150, q, c)(3), -0.01);
+%! once = x_ddot (of_accelerations (zeros (3, 1), 150, q, c))(1:2);
+%! assert (norm (once - exact(1:2)) > 0.1*norm (exact(1:2)));
+%!test # forces are those of the time's loads, the moment where it works on the tangent
+%! [c, q] = bent ();
+%! found = @(c) accelerations_with_dropped (@(f, g) deal (1e-12*f, 0), 0.5, q, 0*q, 0.3, 0, c)/1e-12;
+%! assert (found (c), of_accelerations (zeros (3, 1), 150, q, c)(1:2), 1e-6);
+%! assert (found (setfield (c, "tangent", false)), of_accelerations (zeros (3, 1), 0, q, c)(1:2), 1e-6);
