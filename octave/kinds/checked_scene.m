@@ -4,7 +4,8 @@
 ## A scene, checked and with a title, its kind (see @code{kind_of}), where its files go (see @code{take_options}), and
 ## its @var{name} (see @code{load_scene}): @var{which} and @var{options} (a cell array) are arguments as for
 ## @code{driver}; @var{change} (scene) is what is made of the scene before it is checked.
-## With the option "exact" one straight rod is the geometrically exact rod (see @code{exact_scene}).
+## With the option "exact" one straight rod is the geometrically exact rod (see @code{exact_scene}); without it
+## output.exact comes back as "auto" where a tolerance in metres is stated and nothing of the model, and as false.
 ## @end deftypefn
 
 function [scene, kind, output, name] = checked_scene (which, options, change = @(scene) scene)
@@ -17,6 +18,8 @@ function [scene, kind, output, name] = checked_scene (which, options, change = @
   if (isequal (output.exact, true))
     refuse_other_kind (kind, kind_of (given));
     [scene, kind] = exactly (scene, kind);
+  elseif (isempty (output.exact))
+    output.exact = exact_by_default (given);
   endif
   if (isempty (scene.title))
     scene.title = name;
@@ -39,6 +42,16 @@ function [plane, kind] = exactly (scene, kind)
   plane = kind.check (plane);
 endfunction
 
+## a tolerance in metres is a promise; a model that is stated is meant
+function exact = exact_by_default (given)
+  stated = @(part, name, default) ! isequal (field_or (field_or (given, part, struct ()), name, default), default);
+  exact = false;
+  if (stated ("solver", "tolerance", "pixel") && ! any (cellfun (@(name) stated ("model", name, "auto"), ...
+                                                                 {"modes", "axial", "stiffening"})))
+    exact = "auto";
+  endif
+endfunction
+
 %!test
 %! [scene, kind, output, name] = checked_scene (rmfield (swing (), "title"), {"modes", [0 1]});
 %! assert (scene.model.modes, [0 1]); assert (kind.name, "rod"); assert (scene.title, name);
@@ -47,6 +60,13 @@ endfunction
 %!test # exactly: on the plane, or not at all
 %! [scene, kind, output] = checked_scene ("swing", {"exact", true});
 %! assert (scene.surface.name, "plane"); assert (kind.name, "exact"); assert (output.folder, "output/swing");
+%!test # by itself only where a tolerance is stated, and no model
+%! exact = @(varargin) nthargout (3, @checked_scene, "swing", varargin).exact;
+%! assert ({exact(), exact("tolerance", 1e-3), exact("tolerance", 1e-3, "exact", false), exact("exact", "auto")}, ...
+%!         {false, "auto", false, "auto"});
+%! assert (exact ("tolerance", 1e-3, "modes", [0 2]), false);
+%! of = @(name) nthargout (3, @checked_scene, setfield (swing (), "model", name, "none"), {"tolerance", 1}).exact;
+%! assert ({of("axial"), of("stiffening")}, {false, false});
 %!error <exact: the geometrically exact rod lacks what the scene has: several bodies>
 %! checked_scene ("double_pendulum", {"exact", true});
 %!error <exact: the geometrically exact rod lacks what the scene has: a curved axis>

@@ -8,7 +8,7 @@
 ## @end deftypefn
 
 function [scene, output] = take_options (scene, folder, options)
-  output = struct ("folder", folder, "pictures", true, "dense", [], "command", "", "exact", false);
+  output = struct ("folder", folder, "pictures", true, "dense", [], "command", "", "exact", []);
   if (mod (numel (options), 2) != 0)
     scene_error ("options come as names and values, in pairs");
   endif
@@ -52,7 +52,7 @@ endfunction
 %!test
 %! [scene, output] = take_options (struct (), "output/x", {"modes", [1 2], "output", "here"});
 %! assert (scene.model.modes, [1 2]);
-%! assert (output, struct ("folder", "here", "pictures", true, "dense", [], "command", "", "exact", false));
+%! assert (output, struct ("folder", "here", "pictures", true, "dense", [], "command", "", "exact", []));
 %! assert (nthargout (2, @take_options, scene, "here", {"command", "make"}).command, "make");
 %! assert (nthargout (2, @take_options, scene, "here", {"dense", 1e3}).dense, 1e3);
 %! assert (nthargout (2, @take_options, scene, "here", {"pictures", false}).pictures, false);

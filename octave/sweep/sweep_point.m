@@ -58,7 +58,11 @@ function lines = observe_run (which, settings, options, items, place)
 endfunction
 
 function [names, table, run] = run_of (scene, output, place, command)
-  run = driver (scene, "output", place, "pictures", output.pictures, "command", command, "exact", output.exact);
+  exact = output.exact;
+  if (isempty (exact))
+    exact = false;  # all rows have the columns of one kind
+  endif
+  run = driver (scene, "output", place, "pictures", output.pictures, "command", command, "exact", exact);
   kind = kind_of (run.scene);
   [names, table] = kind.columns (run.scene, run);
 endfunction

@@ -49,6 +49,8 @@ function what = what_it_lacks (scene)
     what = "a start that is deformed, or another run's end";
   elseif (! all (ismember ({scene.joints.kind}, {"spring", "force", "moment"})))
     what = "joints but springs, forces and moments";
+  elseif (strcmp (scene.model.moment_work, "chord"))
+    what = "work of the moment on the chord's rotation";
   elseif (! any (strcmp (scene.solver.name, {"auto", integrator_table({"rate", "residual"}).name})))
     what = sprintf ("the solver %s", scene.solver.name);
   endif
