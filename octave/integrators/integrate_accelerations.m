@@ -45,6 +45,12 @@ endfunction
 %!  states = integrate_constrained (system, [0 0.5], start, solver);
 %!  residual = max (abs (system.at (0.5, states.q(:,2), states.v(:,2)).constraints.residual));
 %!endfunction
+%!test # the multipliers at the start, too
+%! [system, start] = sample_mechanism ([0 0]);
+%! solver = struct ("name", "acceleration", "tolerance", 1e-3);
+%! states = integrate_constrained (system, [0 0.01], start, solver);
+%! [~, lambda] = constrained_accelerations (system, 0, start.q, start.v);
+%! assert (states.lambda(:,1), lambda, 1e-9*max (abs (lambda))); assert (norm (lambda) > 0.01);
 %!test # without stabilisation the constraints drift, with projection they do not
 %! assert (drift ("acceleration") > 1e-9);
 %! assert (drift ("projection") < 1e-11);

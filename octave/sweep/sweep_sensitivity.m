@@ -47,6 +47,9 @@ endfunction
 %! assert (cell2mat (cells(1:2,4)).', [20 1].*std (x)/std (x*[20; 1]), 1e-10); assert ([cells{1:2,5}], [1 1], 1e-10);
 %! assert (cell2mat (cells(1:2,[6 7])), [0.8 0; 0.2 0], 1e-8);
 %! assert (cell2mat (cells(3:4,4:7)), NaN (2, 4));
+%! squares = found;  # with s and r from -1 to 1, s^2 + r/2, whose parts have the variances 4/45 and 1/12
+%! squares.observed(:,1) = arrayfun (@(a, b) sprintf ("%.17g", (a - 1)^2 + b/20), x(:,1), x(:,2), "uniformoutput", false);
+%! assert ([sweep_sensitivity(plan, squares){1:2,6}], [4/45 1/12]/(4/45 + 1/12), 1e-3);
 %! found.done(3) = false; found.observed(3,:) = {""};
 %! cells = sweep_sensitivity (plan, found);
 %! assert (cell2mat (cells(1:2,[3 6 7])), [49 NaN NaN; 49 NaN NaN]);
