@@ -87,3 +87,11 @@ endfunction
 %! [x, y] = body_centreline (system.mechanism.models{1}, [0.2 0.4 0.7 1], struct ("V", q(1:3), "phi", q(4), ...
 %!                                                                                "x", q(5), "y", q(6)), 1);
 %! assert (x, [0.2 0.4 0.7 1].' + [13*0.2, 13*0.4, 5.2 + 3, 5.2 + 6].'/bar.EA, 1e-12);
+%!test # a mass at the end, small as it is, pulls there: one function beside the sines
+%! rung = struct ("sines", [], "bending", 0, "longitudinal", 1, "axial", "dynamic", "stiffening", "none");
+%! scene = rmfield (hinged_bar (soft_bar ()), "force");
+%! scene.model.energy = "uniaxial";
+%! for mass = [0 0.01]
+%!   base = build_model (check_scene (setfield (scene, "tip_mass", mass)), rung).base;
+%!   assert (any (base.longitudinal == -1), mass > 0);
+%! endfor

@@ -118,3 +118,15 @@ endfunction
 %! [ahead, back] = deal (system.at (0.1, q, v), system.at (0.1, q, -v));
 %! assert (v.'*(ahead.force - back.force)/2, -ahead.dissipated, 1e-9*ahead.dissipated);
 %! assert (ahead.rods.dissipated > 0.01*ahead.dissipated && ahead.springs.dissipated > 0.01*ahead.dissipated);
+%!test # the power of a joint that moves is the rate of the energies
+%! scene.bodies = {struct("rod", struct ("length", 1, "EA", 1e4, "EI", 5, "rhoA", 1), "model", struct ("modes", [1 2]))};
+%! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)
+%!                 struct("kind", "angle", "bodies", 1, "stations", 0, "value", @(t) [0.3 + 2*t + t^2/2, 2 + t, 1])};
+%! scene.duration = 1;
+%! scene = check_mechanism (scene);
+%! system = mechanism_system (scene, build_mechanism (scene, mechanism_rungs (scene, 0)));
+%! start = assemble_mechanism (scene, system.mechanism, system);
+%! [a, lambda, at] = constrained_accelerations (system, 0, start.q, start.v);
+%! E = @(h) sum (mechanism_energies (system.mechanism, start.q + h*start.v + h^2/2*a, start.v + h*a));
+%! power = system.work_rate (at, lambda);
+%! assert ((E (1e-5) - E (-1e-5))/2e-5, power, 1e-6*abs (power)); assert (abs (power) > 1);
