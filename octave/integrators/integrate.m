@@ -31,6 +31,7 @@ function [states, count] = integrate (system, times, solver)
   clock = tic ();
   calls = shown = 0;
   watched = on_terminal ();
+  told = isfinite (limit);  # then it is known how long, at most
   system.calls = @calls_so_far;
   [times, ends] = meet_breaks (times, system.breaks);
   y = system.initial_state;
@@ -50,15 +51,20 @@ function [states, count] = integrate (system, times, solver)
   n = rows (system.mass);
   count.still = stays (states(1:n,:), system.state_scale(1:n), tolerance);
 
-  ## values that the system has at the times t pass, and are counted; on a terminal it shows how far it has come
+  ## values that the system has at the times t pass, and are counted; on a terminal it shows how far it has come, else
+  ## how long it will take
   function value = counted (t, value)
     calls += columns (value);
     if (isfinite (limit) && toc (clock) > limit)
       error ("toolchain:integration:time", "given up after %.0f s\n", limit);
     endif
-    if (watched && calls >= shown + 50)
+    if (calls >= shown + 50)
       shown = calls;
-      show_integration (t(end), times(end), calls, clock);
+      if (watched)
+        show_integration (t(end), times(end), calls, clock);
+      else
+        told = announce_seconds (told, t(end), times(end), toc (clock));
+      endif
     endif
   endfunction
 
