@@ -17,3 +17,4 @@ endfunction
 %!test
 %! [first, second] = oscillator_roots ([2; 3; 3], [0; 10; 6], [1; 1; 1]);
 %! assert (first, [2i; -1; -3], 2e-8); assert (second, [-2i; -9; -3], 2e-8);
+%!assert (oscillator_roots (1e-3, 1e6, 1), complex (-1e-12), 1e-24)  # which the difference of the other two would lose

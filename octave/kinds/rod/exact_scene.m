@@ -97,3 +97,7 @@ endfunction
 %! scene = setfield (swing (), "joints", {struct("kind", "torsion_spring", "stations", 0, "stiffness", 1)});
 %! [~, lacks] = exact_scene (check_scene (scene));
 %! assert (! isempty (strfind (lacks, "joints but springs")));
+%!test # its solver, with and without a step
+%! solver = @(varargin) exact_scene (check_scene (setfield (swing (), "solver", struct (varargin{:})))).solver;
+%! assert (solver ("name", "rk4", "tolerance", 1e-7), struct ("name", "rk4", "rho_infinity", 0.8, "tolerance", 1e-7));
+%! assert (solver ("name", "generalized_alpha", "step", 1e-3, "rho_infinity", 0.5).step, 1e-3);
