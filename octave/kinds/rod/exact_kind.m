@@ -11,6 +11,7 @@ function kind = exact_kind ()
   upright = struct ("name", "plane", "inclination", pi/2, "side", 0);
   kind.has = @(given) isfield (given, "exact") && isfield (given, "surface") && isequal (given.surface, upright);
   kind.check = @(given) setfield (check_surface_scene (rmfield (given, "exact")), "exact", true);
+  kind.far_richer = @(scene, model) min (model.numbers.modes + 4, 32);  # a smooth rod's error falls by powers
   kind.observe = @observe_exact;
   kind.describe = @describe_exact;
   kind.columns = @exact_columns;

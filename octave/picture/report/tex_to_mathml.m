@@ -128,6 +128,7 @@ endfunction
 %!test # parentheses are one thing
 %! assert (! isempty (strfind (tex_to_mathml ("\\left(a\\right)^2"), "<mo>)</mo></mrow><mn>2</mn></msup>")));
 %!test # scripts stand above each other, and a prime with them
+%! assert (! isempty (strfind (tex_to_mathml ("^2"), "<msup><mrow></mrow><mn>2</mn></msup>")));
 %! assert (! isempty (strfind (tex_to_mathml ("M'_j"), "<msubsup><mi>M</mi><mi>j</mi><mo>′</mo></msubsup>")));
 %!test # roots and names of several letters
 %! assert (! isempty (strfind (tex_to_mathml ("\\sqrt{a}"), "<msqrt><mrow><mi>a</mi></mrow></msqrt>")));
