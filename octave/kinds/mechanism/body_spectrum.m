@@ -34,3 +34,14 @@ endfunction
 %! [largest, k] = max (spectrum.values(2,:));
 %! assert (spectrum.frequency(k), 154.18/(2*pi), 2/0.5); assert (spectrum.label, "spectra of the tip of body 1");
 %! assert (spectrum.predicted, []); assert (isempty (body_spectrum (result.scene, rmfield (result, "between"))));
+%!test # of the body that deforms most, be it little; none of rigid ones
+%! scene.bodies = {struct("rod", struct ("length", 1, "EA", 1e6, "EI", 100, "rhoA", 1), "model", struct ("modes", [0 0]))};
+%! scene.bodies{2} = setfield (setfield (scene.bodies{1}, "model", struct ("modes", [0 1])), "initial", struct ("x", 2));
+%! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)
+%!                 struct("kind", "revolute", "bodies", 2, "stations", 0, "point", [2 0])};
+%! scene.duration = 0.02;
+%! result = driver (scene, "output", "");
+%! assert (body_spectrum (result.scene, result).label, "spectra of the tip of body 2");
+%! scene.bodies{2}.model.modes = [0 0];
+%! result = driver (scene, "output", "");
+%! assert (body_spectrum (result.scene, result), []);
