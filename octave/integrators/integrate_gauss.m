@@ -123,7 +123,7 @@ endfunction
 %!                   "gravity", 9.81*(inclination == 0), "initial", struct ("angle", -pi/2), ...
 %!                   "model", struct ("modes", [4 4]));
 %!   system = surface_rod (check_surface_scene (scene));
-%!   [states, count] = integrate (system, 0:0.1:2, struct ("name", "auto", "tolerance", 1e-4));
+%!   [states, count] = integrate (system, 0:0.1:2, struct ("name", "gauss", "tolerance", 1e-4));
 %!   assert (system.size (states(1:system.n,:)) < 1e-12);
 %!   assert (count.steps <= 70);
 %! endfor

@@ -3,7 +3,7 @@
 ## The scenes of `make choices', by their sort and their number in it: 1 is those of octave/scenes/ that choose their
 ## model, by name; the others are drawn at random from the number, 2 a rod (@code{random_scene}), 3 loaded rods and
 ## mechanisms (@code{random_loaded_scene}), 4 a curved rod (@code{random_curved_scene}), 5 a rod on a surface
-## (@code{random_surface_scene}).
+## (@code{random_surface_scene}), and beside these 6 a linkage (@code{random_linkage}).
 ##
 ## @example
 ## make simulate SCENE="tests/choices/drawn_scene.m(3,7)"
@@ -11,7 +11,8 @@
 ## @end deftypefn
 
 function scene = drawn_scene (sort, number)
-  draw = {@shipped, @random_scene, @random_loaded_scene, @random_curved_scene, @random_surface_scene};
+  draw = {@shipped, @random_scene, @random_loaded_scene, @random_curved_scene, @random_surface_scene, ...
+          @random_linkage};
   scene = draw{sort} (number);
 endfunction
 
@@ -21,8 +22,9 @@ function scene = shipped (number)
 endfunction
 
 %!test
-%! sorts = {"", "Random scene 3", "Random loaded scene 3", "Random curved scene 3", "Random surface scene 3"};
-%! assert (arrayfun (@(k) drawn_scene (k, 3).title, 2:5, "uniformoutput", false), sorts(2:5));
+%! sorts = {"", "Random scene 3", "Random loaded scene 3", "Random curved scene 3", "Random surface scene 3", ...
+%!          "Random linkage 3"};
+%! assert (arrayfun (@(k) drawn_scene (k, 3).title, 2:6, "uniformoutput", false), sorts(2:6));
 %!test
 %! assert (drawn_scene (1, 2).title, load_scene (scenes_that_choose (){2}).title);
 %!function angle = from_outside (file)   # this folder is not on the load path where a scene runs

@@ -55,5 +55,9 @@ endfunction
 %! assert (regexp (warnings{1}, "slope v2,1 reaches 0.31, .* 0.05;"), 5);
 %! assert (! isempty (regexp (warnings{2}, "at zoom 300, .* take a zoom of 9.5")));
 %! assert (! isempty (regexp (warnings{3}, "phi_dot reaches 400 rad/s, .* 51\\d rad/s: .*foreshortening")));
+%!test # a load that ends soon after its begin
+%! [scene, model] = sample_rod ([0 1]);
+%! said = @(breaks) validity_warnings (setfield (scene, "moment_breaks", breaks), model, struct ("V", 0, "phi_dot", 0));
+%! assert (said (1), {}); assert (strncmp (said (1e-4), "a load changes within 0.0001 s, its spectrum reaches", 50));
 %!test # a drawn slope of 3 is where it begins: pi*zoom/10
 %! assert (cellfun (@(zoom) numel (of_paper (zoom, 0.1, 1)), {9.54, 9.56}), [1 2]);
