@@ -20,13 +20,14 @@
 ## @end deftypefn
 
 function result = driver (scene = "paper", varargin)
-  found = run_scene (scene, varargin);
+  found = run_scene (scene, varargin, @() Inf);
   if (nargout > 0)
     result = found;
   endif
 endfunction
 
-function result = run_scene (given, options)
+## what would take longer than the seconds left is given up
+function result = run_scene (given, options, left)
   start = tic ();
   command = repeat_command (given, options);
   [scene, kind, output, name] = checked_scene (given, options);
@@ -34,10 +35,10 @@ function result = run_scene (given, options)
   prepare_output (output, scene);
 
   try
-    [model, choice] = chosen_model (kind, scene);
+    [model, choice] = chosen_model (kind, scene, left);
     announce (choice);
     cellfun (@(text) say ("warning: %s", text), kind.foreseen (scene, model));
-    run = balanced_run (kind, scene, model, choice);
+    run = balanced_run (kind, scene, model, choice, left);
   catch err
     record_failure (output, name, scene, err);
     rethrow (err);
@@ -62,12 +63,13 @@ function result = run_scene (given, options)
   result.summary = summary;
 endfunction
 
-## empty, and a warning, where it fails: the run of the model is there
+## empty, and a warning, where it fails, or takes more than two minutes: the run of the model is there
 function [result, why_not] = exact_run (given, options)
   result = [];
   why_not = "";
+  start = tic ();
   try
-    result = run_scene (given, [options, {"exact", true}]);
+    result = run_scene (given, [options, {"exact", true}], @() 120 - toc (start));
   catch err
     rethrow_others (err, "toolchain:integration", "toolchain:scene");
     why_not = sprintf ("the geometrically exact rod could not be run: %s", strtrim (err.message));

@@ -1,15 +1,16 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{run} =} balanced_run (@var{kind}, @var{scene}, @var{model}, @var{choice})
+## @deftypefn {} {@var{run} =} balanced_run (@var{kind}, @var{scene}, @var{model}, @var{choice}, @var{left})
 ## The run (see @code{kind_of}) of a checked scene by its solver.  A model that was chosen has a trial run (see
 ## @code{choose}), which is taken for the solver "auto", and for that by which it is where it keeps its energy balance.
 ## "auto" is asked for less, or for another method (tighter of a kind), six times at most, until the balance is within
 ## 1e-7 of what changes (see @code{energy_error}), or until a second and later attempt does not help: what no point
 ## follows, the work and what dissipates, may be off by more than the points, and implicit methods damp what their
-## steps pass over, small as its way may be.
+## steps pass over, small as its way may be.  An attempt that takes more than half of the seconds @var{left} () ends
+## that, and the run before it is taken.
 ## @end deftypefn
 
-function run = balanced_run (kind, scene, model, choice)
-  solver = scene.solver;
+function run = balanced_run (kind, scene, model, choice, left = @() Inf)
+  solver = setfield (scene.solver, "seconds", left ()/2);
   if (isempty (choice.trial))
     run = run_model (kind, scene, model, solver);
   elseif (serves (choice.trial, solver.name))
@@ -22,9 +23,14 @@ function run = balanced_run (kind, scene, model, choice)
   off = max (energy_error (run.history));
   attempts = 0;
   while (strcmp (scene.solver.name, "auto") && off > 1e-7 && (off <= last/2 || attempts < 2) && attempts < 6)
-    solver = kind.tighter (solver, off);
+    solver = setfield (kind.tighter (solver, off), "seconds", left ()/2);
     before = run.count;
-    run = run_model (kind, scene, model, solver, run);
+    try
+      run = run_model (kind, scene, model, solver, run);
+    catch err
+      rethrow_others (err, "toolchain:integration:time");
+      break;
+    end_try_catch
     run.count.seconds += before.seconds;
     run.count.calls += before.calls;
     last = off;
@@ -42,6 +48,13 @@ endfunction
 %!                                "solver", struct ("name", "auto", "tolerance", 1e-3)));
 %! [model, choice] = chosen_model (rod_kind (), scene);
 %! assert (energy_error (balanced_run (rod_kind (), scene, model, choice).history) <= 1e-7);
+%!test # where no time is left, what is there is taken
+%! scene = check_scene (setfield (setfield (paper (), "model", "modes", [1 3]), "solver", "tolerance", 1e-3));
+%! model = build_model (scene, rung_of_scene (scene));
+%! trial = run_model (rod_kind (), scene, model);
+%! trial.history.balance(end) += range (trial.history.U);
+%! run = balanced_run (rod_kind (), scene, model, struct ("trial", trial), @() 1e-6);
+%! assert (run.history.balance, trial.history.balance); assert (any (energy_error (run.history) > 1e-7));
 %!test # and so are the moment's work, whose power follows modes that no step resolves, and what dissipates
 %! for scene = {setfield(paper (), "solver", "tolerance", 6e-6), setfield(damped (), "solver", "tolerance", 6e-6)}
 %!   scene = check_scene (setfield (scene{1}, "model", "modes", [0 6]));

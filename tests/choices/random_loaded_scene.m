@@ -34,8 +34,8 @@ function scene = in_hub ()
   angle = random_between (0.0003, 0.003);  # within a few periods of bending: the rod lags by as much as forces bend it
   rise = scene.duration*random_between (0.2, 0.6);
   stops = rand () < 0.5;
-  turn = @smooth_turn;  # found now: this folder is on the load path while a scene is made, and no longer
-  scene.rotation = @(t) [start, 0, 0] + turn (t/rise, angle, rise, stops);
+  turn = smooth_turn (angle, rise, stops);
+  scene.rotation = @(t) [start, 0, 0] + turn (t);
   scene.moment_breaks = sort ([scene.moment_breaks, rise]);
 endfunction
 

@@ -22,8 +22,8 @@ function scene = two_rods ()
                   struct("kind", held (), "bodies", [1 2], "stations", [rod.length 0])
                   struct("kind", "force", "bodies", 2, "stations", rod.length, "value", load.force)};
   if (strcmp (scene.joints{1}.kind, "revolute") && rand () < 0.5)
-    turn = @smooth_turn;  # found now: this folder is on the load path while a scene is made, and no longer
-    drive = @(t) turn (t/scene.duration, 0.003, scene.duration, true) + [load.angle, 0, 0];
+    turn = smooth_turn (0.003, scene.duration, true);
+    drive = @(t) turn (t) + [load.angle, 0, 0];
     scene.joints{end+1} = struct ("kind", "angle", "bodies", 1, "stations", 0, "value", drive);
   endif
   scene.breaks = load.breaks;
