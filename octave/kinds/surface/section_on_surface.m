@@ -2,7 +2,7 @@
 ## @deftypefn {} {@var{rod} =} section_on_surface (@var{rod}, @var{strain})
 ## The @var{rod} of a scene on a surface with the stiffnesses and inertia of its section: stated, or those of a
 ## rectangle of a material (see @code{surface_scene_fields}), whose normal stresses work along the rod alone; and with
-## the exponent of its axial @var{strain}, "Green" or "engineering" (see maxima/surface/rod.mac).
+## engineering, whether its axial @var{strain} is "engineering" (1) or "Green" (0; see maxima/surface/rod.mac).
 ## @end deftypefn
 
 function rod = section_on_surface (rod, strain = "Green")
@@ -24,10 +24,7 @@ function rod = section_on_surface (rod, strain = "Green")
   if (isempty (rod.half_height))
     rod.half_height = rod.length/200;
   endif
-  rod.strain_exponent = 1;
-  if (strcmp (strain, "engineering"))
-    rod.strain_exponent = 1/2;
-  endif
+  rod.engineering = double (strcmp (strain, "engineering"));
 endfunction
 
 %!function rod = with (varargin)
@@ -50,6 +47,6 @@ endfunction
 %! rod = section_on_surface (with ("EA", 1, "EI", 2, "rhoA", 3));
 %! assert ([rod.EI_normal, rod.GJ, rod.rhoI, rod.half_height], [2 0 0 1/200]);
 %! assert (section_on_surface (with ("EA", 1, "EI", 2, "rhoA", 3, "GJ", 4)).GJ, 4);
-%! assert (section_on_surface (with ("EA", 1, "EI", 2, "rhoA", 3), "engineering").strain_exponent, 1/2);
-%! assert (section_on_surface (with ("EA", 1, "EI", 2, "rhoA", 3), "Green").strain_exponent, 1);
+%! assert (section_on_surface (with ("EA", 1, "EI", 2, "rhoA", 3), "engineering").engineering, 1);
+%! assert (section_on_surface (with ("EA", 1, "EI", 2, "rhoA", 3), "Green").engineering, 0);
 %!error <rod.width and rod.half_height are missing> section_on_surface (with ())

@@ -34,7 +34,7 @@ function system = surface_rod (scene)
   system.parts = struct ("base", inside, "rod", r);
   if (scene.tip_mass > 0)
     point = struct ("rhoA", scene.tip_mass, "rhoI", 0, "EA", 0, "EI", 0, "EI_normal", 0, "GJ", 0, "damping", 0, ...
-                    "strain_exponent", 1);
+                    "engineering", 0);
     system.parts(2) = struct ("base", base_at (r.length, 1), "rod", point);
   endif
   [system.loads, system.springs] = held_on_surface (scene, base_at);
