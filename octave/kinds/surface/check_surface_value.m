@@ -41,7 +41,7 @@ endfunction
 %! check ("ends", {"hinge", "clamped"}); check ("force", [1 2 3]); check ("force", @(t) [t 0 0]);
 %! check ("initial.point", [0.1 0.2]); check ("model.modes", "auto"); check ("model.modes", [3 4]);
 %! check ("initial.shape", []); check ("gravity", 0);
-%! fail ('check ("force", [1 2 Inf])', "force is 1     2   Inf: it takes three numbers or function of t in N");
-%! fail ('check ("initial.point", [1 NaN])', "initial.point is 1   NaN: it takes vector of two coordinates");
+%! fail ('check ("force", [1 2 Inf])', "force is .*Inf: it takes three numbers or function of t in N");
+%! fail ('check ("initial.point", [1 NaN])', "initial.point is .*NaN: it takes vector of two coordinates");
 %! fail ('check ("model.modes", [3 3.5])', "at least 3 each");
 %! fail ('check ("rod.EA", [])', "rod.EA is a 0-by-0 double: it takes positive number in N");
