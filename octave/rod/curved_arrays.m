@@ -7,7 +7,7 @@
 ## @end deftypefn
 
 function arrays = curved_arrays (base, axis, section, rod, tip_mass = 0)
-  arrays = inertia (base, axis, axis, section);
+  [arrays, row, column] = inertia (base, axis, axis, section);
   if (tip_mass > 0)
     tip = struct ("xi", base.length, "kappa", 0, "weights", 1);
     [tip.x, tip.y, tip.theta] = undeformed_places (struct ("axis", axis), base.length);
@@ -16,20 +16,23 @@ function arrays = curved_arrays (base, axis, section, rod, tip_mass = 0)
     endfor
   endif
   arrays.centrifugal_matrix = arrays.mass_matrix;
-  [row, column, n] = pairs_of (curved_functions (base, axis, axis.xi));
   if (isempty (rod))
     K = curved_rod_stiffness_uniaxial (row, column, section);
   else
     K = curved_rod_stiffness_paper (row, column, rod);
   endif
+  n = rows (arrays.mass_matrix);
   arrays.stiffness_matrix = symmetric (reshape (axis.weights*K, n, n));
   arrays.shortened_moment_matrix = zeros (n);
 endfunction
 
-## of what lies at those points
-function arrays = inertia (base, axis, points, section)
+## of what lies at those points, where row and column are all base functions with all
+function [arrays, row, column] = inertia (base, axis, points, section)
   f = curved_functions (base, axis, points.xi);
-  [row, column, n] = pairs_of (f);
+  n = columns (f.e);
+  [k, j] = meshgrid (1:n, 1:n);
+  row = in_pairs (f, j, "j");
+  column = in_pairs (f, k, "k");
   w = points.weights(:);
   vector = @(density) (w.'*density).';
   [c, d, s, r] = curved_rod_modes (in_pairs (f, 1:n, "j"), repeated (points, n), section);
@@ -43,14 +46,6 @@ endfunction
 
 function A = symmetric (A)
   A = (A + A.')/2;
-endfunction
-
-## of all base functions with all
-function [row, column, n] = pairs_of (f)
-  n = columns (f.e);
-  [k, j] = meshgrid (1:n, 1:n);
-  row = in_pairs (f, j, "j");
-  column = in_pairs (f, k, "k");
 endfunction
 
 ## the base functions in this order (columns), u_1 as u_1_j for one

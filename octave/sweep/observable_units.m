@@ -48,7 +48,8 @@ endfunction
 %! assert (units (chain (2), "last tip_x_2, last lambda_1_1"), {" [m]", " [N]"});
 %! assert (units (bowl (), "last tip_z, last T"), {" [m]", " [J]"});
 %! assert (units (swing (), "model, estimated_error_m, modes(2), seconds.choice, title"), repmat ({""}, 1, 5));
-%! assert (units (swing (), "modes.f(12), statics.reaction_x, truth.error_m"), {" [Hz]", " [N]", ""});
+%! assert (units (swing (), "modes.f(12), statics.reaction_x, modes.damping(1)"), {" [Hz]", " [N]", ""});
+%! assert (units (swing (), "truth.error_m, truth.smaller_m"), {"", ""});
 %! fail ("units (swing (), 'modes.g(1)')", "OBSERVE: modes has no g: it has f, omega, damping, growth, change");
 %! fail ("units (swing (), 'modes.f(13)')", "OBSERVE: modes.f\\(13\\) of modes is no number");
 %! fail ("units (swing (), 'statics.tip_z')", "OBSERVE: statics has no tip_z: it has stable, slowest, growth, tip_x");

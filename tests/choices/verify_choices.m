@@ -1,9 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{table} =} verify_choices (@var{draw}, @var{option}, @var{value}, @dots{})
 ## Is what a run says of its error true?  The first scenes of each sort of the scene @var{draw} (a file, as
-## @code{drawn_scene}) choose their model, 22, 60, 80, 30 and 28 or the option "counts", and are compared with what they truly do (see @code{true_figures}): the true error must be within the
-## tolerance, and the estimate 0.3 to 10 times it (or it is below a twentieth of the tolerance); the smaller models of
-## one straight rod must miss the tolerance.  Says which are not so.
+## @code{drawn_scene}) choose their model, 22, 60, 80, 30 and 28 or the option "counts", and are compared with what they
+## truly do (see @code{true_figures}): the true error must be within the tolerance, and the estimate 0.3 to 10 times it
+## (or it is below a twentieth of the tolerance); the smaller models of one straight rod must miss the tolerance.  Says
+## which are not so.
 ##
 ## The scenes are the points of a @code{sweep}, whose options are those of engines, jobs, limits and so on; the folder
 ## output/choices, or that of the option "output", has its files, and choices.svg and choices.png.  The same call again
