@@ -25,7 +25,11 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
     inside = times > interval(1) & times <= interval(2);
     tolerance = solver.tolerance*diff (interval)/system.duration;
     pieces = max (1, floor (m/2));
-    coarse = march (system, method, interval, y, pieces, [], interval(2));
+    stages = @(m) interval(1) + diff (interval)/m*((0:m-1) + method.points)(:).';
+    places = led_places (system, stages (pieces), interval(1), y);
+    coarse = march (system, method, interval, y, pieces, [], [stages(2*pieces), interval(2)], places);
+    places = coarse(1:n,1:end-1);  # where the first of the finer steps may begin to look
+    coarse = coarse(:,end);
     do
       m = 2*pieces;
       if (m > 2^13)
@@ -33,7 +37,7 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
                           "its steps shrank to nothing", ...
                           sprintf ("a larger tolerance than %.2g m", solver.tolerance));
       endif
-      [between, tangents] = march (system, method, interval, y, m, tangents, times(inside));
+      [between, tangents] = march (system, method, interval, y, m, tangents, times(inside), places);
       fine = between(:,end);
       steps += 3*pieces;
       change = fine - coarse;
@@ -43,6 +47,7 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
         error = Inf;
       endif
       coarse = fine;
+      places = [];
       pieces = m;
     until (error <= tolerance)
     if (error < tolerance/16 && m > 2)
@@ -65,8 +70,8 @@ function [drift, largest] = energy_drift (system, interval, before, after, large
 endfunction
 
 ## m equal steps, and the states at some times of them, the last one the end; no numbers where Newton's iteration does
-## not converge
-function [states, tangents] = march (system, method, interval, y, m, tangents, times)
+## not converge. Places of all stages are a first guess, where there are any.
+function [states, tangents] = march (system, method, interval, y, m, tangents, times, places)
   states = NaN (rows (y), numel (times));
   h = diff (interval)/m;
   n = system.n;
@@ -75,7 +80,9 @@ function [states, tangents] = march (system, method, interval, y, m, tangents, t
     t = interval(1) + h*(i - 1);
     z = y(1:n);
     z_dot = y(n+1:2*n);
-    if (isempty (acceleration))
+    if (all (isfinite (places(:))) && ! isempty (places))
+      acceleration = accelerations_to (method, h, z, z_dot, places(:,4*i-3:4*i));
+    elseif (isempty (acceleration))
       acceleration = zeros (n, 4);
     else
       acceleration *= method.onward.';

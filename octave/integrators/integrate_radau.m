@@ -22,6 +22,11 @@ function [states, steps] = integrate_radau (system, times, start, solver)
   plan.most = max (1, min (160, floor (14e3/system.n^2)));
   plan.panels = min (4, plan.most);
   guess = alone = @(t) taylor (y, t - y.t);
+  if (isfield (system, "led"))
+    guess = @(t) system.led (t, y);
+    plan.h = system.led_step (solver.tolerance);
+    plan.panels = plan.most;
+  endif
   steps = refused = 0;
   while (y.t < times(end))
     to_go = max (1, ceil ((times(end) - y.t)/plan.h*(1 - 1e-9)));
@@ -49,7 +54,9 @@ function [states, steps] = integrate_radau (system, times, start, solver)
       endif
       refused = 0;
     else
-      guess = alone;
+      if (! window.converged)
+        guess = alone;
+      endif
       refused++;
     endif
     plan = radau_plan (plan, window, count, kept);

@@ -12,12 +12,19 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
   states = repmat (y, 1, numel (times));
   t = times(1);
   h = 1e-2*system.duration;
+  if (isfield (system, "led"))
+    h = system.led_step (solver.tolerance);
+  endif
   a_start = -system.mass_matrix (y(1:n)) \ system.residual (t, y(1:n), y(n+1:2*n), zeros (n, 1));
   a = repmat (a_start, 1, numel (method.points));
   steps = refused = 0;
   while (t < times(end))
     to_go = ceil ((times(end) - t)/h*(1 - 1e-9));
     h = min (h, (times(end) - t)/to_go);
+    places = led_places (system, t + h*method.points.', t, y);
+    if (! isempty (places) && ! refused)
+      a = accelerations_to (method, h, y(1:n), y(n+1:2*n), places);
+    endif
     [a, stages, tangents, message] = collocation_stages (system, method, t, h, y(1:n), y(n+1:2*n), a, ...
                                                          1e-5*solver.tolerance);
     steps++;

@@ -25,6 +25,7 @@ function run = run_model (kind, scene, model, solver = scene.solver, before = []
   system.frames = frame_times (scene);
   if (! isempty (before))
     system = kind.led_by (system, before);
+    system.led_step = @(tolerance) step_within (tolerance, scene.duration, before);
     if (isequal (before.model, model))
       system = with_work (system, before.history, solver.tolerance);
     endif
@@ -52,6 +53,11 @@ function run = run_model (kind, scene, model, solver = scene.solver, before = []
   endif
   run.count = count;
   run.warnings = system.warnings;
+endfunction
+
+## that which such a run takes on the average, made shorter where less is asked for, as an estimate of order 5 says
+function h = step_within (tolerance, duration, run)
+  h = duration/max (1, run.count.steps)*min (1, tolerance/run.solver.tolerance)^(1/6);
 endfunction
 
 ## the frames' times, and equally many between two as make so many in all, or some more

@@ -14,7 +14,7 @@ function history = measure_surface (system, scene, times, states)
   z_dot = states(n+1:2*n,:);
   history.t = times;
   history.q = system.place.start + system.place.basis*z;
-  history.q_names = [numbered("alpha1", system.numbers, 1), numbered("alpha2", system.numbers, 2)];
+  history.q_names = coefficient_names (system.numbers);
   E = system.energies (times, z, z_dot);
   history.T = E(1,:);
   history.U = E(2,:);
@@ -50,11 +50,6 @@ function force = reaction_to_tip (system, t, z, z_dot)
     force = system.surface.reaction (fields_of_basis (part.base, z, z_dot, z_dot, system.turn (t, z)), part.rod, ...
                                      system.gravity);
   endfor
-endfunction
-
-function names = numbered (name, model, i)
-  names = [arrayfun(@(k) sprintf ("%s_%d", name, k), 0:model.modes(i)-1, "uniformoutput", false), ...
-           arrayfun(@(k) sprintf ("%s_sine_%d", name, k), 1:model.sines(i), "uniformoutput", false)];
 endfunction
 
 %!test # at rest on a level plane

@@ -1,0 +1,45 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{system} =} led_on_surface (@var{system}, @var{run})
+## The @var{system} of a rod on a surface (see @code{surface_rod}) with the motion of a @var{run} of the same scene, by
+## as many base functions or others, as a first guess of its own: led (t, y), coordinates at the times t (1-by-k, s)
+## that follow the state @var{y} (t, q, v).  The rod moves on as it did in the run, from where it is and as fast as it
+## is.
+## @end deftypefn
+
+function system = led_on_surface (system, run)
+  if (! isfield (run, "between"))
+    return;
+  endif
+  model = run.model;
+  [known, at] = ismember (coefficient_names (system.numbers), coefficient_names (model.numbers));
+  onto = system.place.basis \ eye (numel (known))(:,known);
+  q = (model.place.basis*run.between.states(1:model.n,:) + model.place.start)(at(known),:);
+  q_dot = (model.place.basis*run.between.states(model.n+1:2*model.n,:))(at(known),:);
+  path = spline (run.between.t, [onto*q; onto*q_dot]);
+  system.led = @(t, y) beside (path, t, y);
+endfunction
+
+function z = beside (path, t, y)
+  n = rows (y.q);
+  led = ppval (path, [y.t, t]);
+  z = y.q + led(1:n,2:end) - led(1:n,1) + (y.v - led(n+1:end,1)).*(t - y.t);
+endfunction
+
+%!test # with more polynomials, for fewer calls; and led astray it arrives, too
+%! kind = surface_kind ();
+%! scene = check_surface_scene (setfield (large_swing (), "duration", 0.3));
+%! solver = setfield (scene.solver, "tolerance", 7e-4);
+%! [few, more] = deal (kind.build (scene, [8 8]), kind.build (scene, [10 10]));
+%! run = run_model (kind, scene, few, solver);
+%! alone = run_model (kind, scene, more, solver);
+%! led = run_model (kind, scene, more, solver, run);
+%! assert (led.count.calls < 0.7*alone.count.calls);
+%! assert (distance (led, alone) < 1e-4);
+%! run.between.states(1,:) += 0.1*sin (50*run.between.t);
+%! assert (distance (run_model (kind, scene, more, solver, run), alone) < 7e-4);
+%! for name = {"gauss", "radau"}
+%!   by = setfield (solver, "name", name{1});
+%!   assert (distance (run_model (kind, scene, more, by, run), run_model (kind, scene, more, by)) < 1e-4);
+%! endfor
+%!test # without states between the frames nothing leads
+%! assert (led_on_surface (struct ("n", 2), struct ("history", [])), struct ("n", 2));
