@@ -24,7 +24,7 @@ function [a, stages, tangents, message] = collocation_stages (system, method, t,
     if (! all (isfinite (R(:))))
       message = "its loads or states are no numbers";
       return;
-    elseif (change*rate <= size*(1 - rate) || change <= size/1e6)
+    elseif (change*rate <= size*(1 - rate) || change <= size/30)
       message = "";
       return;
     elseif (! (change < 10*system.points(end)) && iteration > 1 || (iteration > 3 && rate > 0.9))

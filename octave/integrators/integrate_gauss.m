@@ -5,9 +5,10 @@
 ## stretching.
 ##
 ## Between two frames (all @var{times}, or those of @var{system}.frames) as many equal steps are taken, doubled again
-## and again, as bring the last doubling's change of place within the interval's share of @var{solver}.tolerance (m),
-## and the energy balance within 3e-9 of the largest energy, or of its floor system.energy_floor: a rod at rest has
-## none to measure by.  Oscillations of stretching too fast for that keep their energy, not their phase.
+## and again, as bring a sixteenth of the last doubling's change of place (of which the last steps' error is 1/255 where
+## they resolve the motion) within the interval's share of @var{solver}.tolerance (m), and the energy balance within
+## 3e-9 of the largest energy, or of its floor system.energy_floor: a rod at rest has none to measure by.  Oscillations
+## of stretching too fast for that keep their energy, not their phase.
 ## @end deftypefn
 
 function [states, steps] = integrate_gauss (system, times, y, solver)
@@ -42,7 +43,7 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
       steps += 3*pieces;
       change = fine - coarse;
       [drift, largest] = energy_drift (system, interval, y, fine, largest);
-      error = max (system.size (change(1:n)), tolerance*drift/balance);
+      error = max (system.size (change(1:n))/16, tolerance*drift/balance);
       if (! all (isfinite (change)))
         error = Inf;
       endif
@@ -50,7 +51,7 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
       places = [];
       pieces = m;
     until (error <= tolerance)
-    if (error < tolerance/16 && m > 2)
+    if (error < tolerance/100 && m > 2)
       m /= 2;
     endif
     y = fine;
@@ -75,17 +76,14 @@ function [states, tangents] = march (system, method, interval, y, m, tangents, t
   states = NaN (rows (y), numel (times));
   h = diff (interval)/m;
   n = system.n;
-  acceleration = [];
+  acceleration = zeros (n, 4);
   for i = 1:m
     t = interval(1) + h*(i - 1);
     z = y(1:n);
     z_dot = y(n+1:2*n);
-    if (all (isfinite (places(:))) && ! isempty (places))
+    acceleration = acceleration(:,4*ones (1, 4));  # as it was
+    if (! isempty (places) && all (isfinite (places(:))))
       acceleration = accelerations_to (method, h, z, z_dot, places(:,4*i-3:4*i));
-    elseif (isempty (acceleration))
-      acceleration = zeros (n, 4);
-    else
-      acceleration *= method.onward.';
     endif
     [acceleration, stages, tangents, message] = collocation_stages (system, method, t, h, z, z_dot, acceleration, ...
                                                                     1e-12*system.points(end), tangents);

@@ -16,11 +16,11 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
     h = system.led_step (solver.tolerance);
   endif
   a_start = -system.mass_matrix (y(1:n)) \ system.residual (t, y(1:n), y(n+1:2*n), zeros (n, 1));
-  a = repmat (a_start, 1, numel (method.points));
   steps = refused = 0;
   while (t < times(end))
     to_go = ceil ((times(end) - t)/h*(1 - 1e-9));
     h = min (h, (times(end) - t)/to_go);
+    a = repmat (a_start, 1, numel (method.points));
     places = led_places (system, t + h*method.points.', t, y);
     if (! isempty (places) && ! refused)
       a = accelerations_to (method, h, y(1:n), y(n+1:2*n), places);
@@ -46,12 +46,10 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
         t = times(end);
       endif
       a_start = a(:,end);
-      growth = min (growth, 1.5);  # further the polynomials are no guess
-      a *= onward (method, growth);
+      growth = min (growth, 1.5);
       refused = 0;
     else
       growth = min (growth, 0.8);
-      a = repmat (a_start, 1, columns (a));
       refused++;
     endif
     h *= growth;
@@ -64,13 +62,6 @@ endfunction
 function method = radau_method ()
   rule = radau_rule (5);
   method = struct ("points", rule.c.', "A", rule.A, "AA", rule.A^2, "e", rule.e, "g", real (rule.eigenvalues(1)));
-  method.powers = 0:4;
-  method.coefficients = inv (method.points.^method.powers).';
-endfunction
-
-## values of the polynomials at the points of the next step, so many times as long
-function matrix = onward (method, growth)
-  matrix = method.coefficients*((1 + growth*method.points).^method.powers).';
 endfunction
 
 ## in metres; filtered, so that stiff modes count as what they will be
