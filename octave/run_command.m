@@ -6,6 +6,9 @@ if (! exist ("settings", "var"))
   settings = cell (0, 3);
 endif
 try
+  if (! isempty (getenv ("SCENE")))
+    reach_beside (getenv ("SCENE"));
+  endif
   command (environment_options (settings){:});
 catch err
   show_progress ("");

@@ -3,8 +3,6 @@
 ## The scene of a function in octave/scenes/, by its name, or of a function file of one's own, by its path, which may
 ## hold anything.  A struct is taken as it is; "chain(20)" calls the function with the number.  Those of the
 ## @var{arguments} (cell array) that are not empty come in the place of such numbers.
-##
-## What stands beside a file of one's own can be called by the functions in its scene, until another is loaded.
 ## @end deftypefn
 
 function [scene, name] = load_scene (which, arguments = {})
@@ -42,27 +40,11 @@ function scene = evaluate (file, numbers)
     scene = feval (name, numbers{:});
   unwind_protect_cleanup
     path (before);
-    reach_into (folder);
     if (isfolder (aside))
       confirm_recursive_rmdir (false, "local");
       rmdir (aside, "s");
     endif
   end_unwind_protect
-endfunction
-
-## behind all others on the path, in the place of the one before
-function reach_into (folder)
-  persistent last = "";
-  known = strsplit (path (), pathsep ());
-  if (any (strcmp (last, known)))
-    rmpath (last);
-  endif
-  last = "";
-  shipped = fullfile (fileparts (fileparts (mfilename ("fullpath"))), "scenes");
-  if (! any (strcmp (folder, [known, {shipped, pwd()}])) && ! any (folder == pathsep ()))
-    addpath (folder, "-end");
-    last = folder;
-  endif
 endfunction
 
 ## Not every name can be called, and a name may mean a file of the working directory.
@@ -140,20 +122,5 @@ endfunction
 %!    cd (before);
 %!  end_unwind_protect
 %!endfunction
-%!function check_beside (folder, scratch)
-%!  for k = 1:2
-%!    own = fullfile (folder, sprintf ("own_%d", k));
-%!    mkdir (own);
-%!    write_text (fullfile (own, "scene_beside.m"), "function s = scene_beside ()\n s.moment = @(t) beside (t);\nend\n");
-%!    write_text (fullfile (own, "beside.m"), sprintf ("function y = beside (t)\n y = %d*t;\nend\n", k));
-%!    scene = load_scene (fullfile (own, "scene_beside.m"));
-%!    assert (scene.moment (3), 3*k);
-%!  endfor
-%!  assert (any (strcmp (own, strsplit (path (), pathsep ()))));
-%!  load_scene ("paper");
-%!  assert (isempty (strfind (path (), folder)));
-%!endfunction
-%!test # functions in files beside it are those beside it, and gone with the next scene
-%! in_scratch (@check_beside);
 %!test # a file that was edited is read again, even within the second that file times tell
 %! in_scratch (@check_edited);
