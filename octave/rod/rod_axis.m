@@ -8,11 +8,7 @@
 ## @end deftypefn
 
 function axis = rod_axis (rod, panels, section = struct ("rhoA", 1, "rhoI", 0), tip_mass = 0)
-  [nodes, weights] = gauss_rule (8);
-  axis.ends = unique ([linspace(0, rod.length, panels + 1), rod.curvature_breaks(:).']);
-  steps = diff (axis.ends);
-  axis.xi = (axis.ends(1:end-1) + steps.*nodes.')(:).';
-  axis.weights = (steps.*weights.')(:).';
+  axis = panels_between (unique ([linspace(0, rod.length, panels + 1), rod.curvature_breaks(:).']));
   axis.kappa = curvature_at (rod, axis.xi);
   integral = integrals_to (axis, axis.xi);
   axis.theta = axis.kappa*integral.';

@@ -17,7 +17,7 @@ function [q_ddot, torque] = accelerations_with_dropped (solved, t, q, q_dot, phi
     last = q_ddot;
     [more_q, torque] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_ddot, c);
     [q_ddot, phi_ddot] = solved (more_q, torque);
-    if (pass > 1 && norm (q_ddot - last, 1) <= 0.01*norm (q_ddot, 1))
+    if (pass > 1 && all (sum (abs (q_ddot - last), 2) <= 0.01*sum (abs (q_ddot), 2)))
       return;
     endif
   endfor

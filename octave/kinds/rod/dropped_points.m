@@ -13,11 +13,7 @@
 
 function points = dropped_points (model, rod)
   length = model.length;
-  panels = 2 + ceil (columns (model.basis)/3);
-  [nodes, weights] = gauss_rule (8);
-  axis.ends = linspace (0, length, panels + 1);
-  axis.xi = (axis.ends(1:end-1) + length/panels*nodes.')(:).';
-  axis.weights = repmat (length/panels*weights, 1, panels);
+  axis = panels_between (linspace (0, length, 3 + ceil (columns (model.basis)/3)));
   stations = [axis.xi, rod.force_station, length];
   points.axis = axis;
   points.xi1 = stations.';

@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{run}, @var{converged}] =} exact_runs (@var{kind}, @var{scene}, @var{seconds})
 ## The geometrically exact rod of a checked scene of a @var{kind} (see @code{kind_of} and @code{exact_rod}) with 12 +
-## 12 polynomials, with a name, how far 9 + 9 polynomials are off it (off, m), and whether it has converged: by a fifth
-## of the tolerance at most.  Empty and false where it has not what the scene has, or takes longer than @var{seconds},
-## which is said.
+## 12 polynomials, or more, up to 32, until it has @var{converged}: with a name, and how far fewer polynomials are off
+## it (off, m), a fifth of the tolerance at most.  The last that was run, and false, where they take longer than so many
+## @var{seconds}; empty where it has not what the scene has, or the first two take longer, which is said.
 ## @end deftypefn
 
 function [run, converged] = exact_runs (kind, scene, seconds)
@@ -14,14 +14,23 @@ function [run, converged] = exact_runs (kind, scene, seconds)
     return;
   endif
   try
-    run = exact_rod (scene, 12, 2/3*seconds);
-    run.name = "geometrically exact, 12 + 12 polynomials";
-    run.off = distance (run, exact_rod (scene, 9, seconds - toc (start)));
-    converged = run.off <= scene.solver.tolerance/5;
-    printf ("  the exact rod with 9 + 9 and with 12 + 12 polynomials: %.2g m apart\n", run.off);
+    fewer = exact_rod (scene, 9, seconds/3);
+    for modes = [12 16 20 25 32]
+      richer = exact_rod (scene, modes, seconds - toc (start));
+      richer.name = sprintf ("geometrically exact, %d + %d polynomials", modes, modes);
+      richer.off = distance (richer, fewer);
+      converged = richer.off <= scene.solver.tolerance/5;
+      run = fewer = richer;
+      printf ("  the exact rod with %d + %d polynomials, and with fewer: %.2g m apart\n", modes, modes, run.off);
+      if (converged)
+        break;
+      endif
+    endfor
   catch err
     rethrow_others (err, "toolchain:integration", "toolchain:scene");
-    printf ("  the exact rod is no reference: %s\n", strtrim (err.message));
+    if (isempty (run))
+      printf ("  the exact rod is no reference: %s\n", strtrim (err.message));
+    endif
   end_try_catch
 endfunction
 
