@@ -2,7 +2,8 @@
 ## @deftypefn {} {@var{run} =} far_richer (@var{result}, @var{seconds})
 ## What the scene of a @var{result} of @code{driver} truly does: the geometrically exact rod where that has it and
 ## converges in so many @var{seconds} (60; see @code{exact_runs}), or else a far richer model of the same physics
-## (see @code{richest_run}), its points moved by what all such models drop (see @code{dropped_error}).
+## (see @code{richest_run}), its points moved by what all such models drop (see @code{dropped_error}), as the next
+## richer model of the ladder has it: more modes than that do not change it, but take a long time.
 ## @end deftypefn
 
 function run = far_richer (result, seconds = 60)
@@ -13,9 +14,13 @@ function run = far_richer (result, seconds = 60)
   if (converged)
     return;
   endif
-  run = richest_run (kind, scene, result.model);
+  like = run = richest_run (kind, scene, result.model);
+  if (isfield (result.model, "rung"))
+    ladder = ladder_of (kind, sharper);
+    like = ladder.trial (ladder.richer (result.model.rung), []);
+  endif
   scene.solver.tolerance /= 20;
-  dropped = kind.dropped (scene, run, run);
+  dropped = kind.dropped (scene, like, like);
   if (! isempty (dropped))
     run.x += dropped.x;
     run.y += dropped.y;

@@ -3,7 +3,7 @@
 ##   @var{q_dot}, @var{phi}, @var{phi_dot}, @var{c})
 ## Accelerations (n-by-m) of a straight rod that feel the forces of what its model drops (see @code{dropped_forces}),
 ## and the @var{torque} on phi among these (1-by-m, N m), at the m times @var{t} and states.  Those forces need
-## accelerations, which feel them: taken again and again, ten times at most, to a hundredth.
+## accelerations, which feel them: taken again and again, ten times at most, to a hundredth in each coordinate.
 ##
 ## [q_ddot, phi_ddot] = @var{solved} (force_q, force_phi) are the accelerations with such forces beside all others.
 ## @var{c} is what @code{rod_constants} gives, with points (see @code{dropped_points}), the model's followers, and
@@ -75,3 +75,26 @@ endfunction
 %! found = @(c) accelerations_with_dropped (@(f, g) deal (1e-12*f, 0), 0.5, q, 0*q, 0.3, 0, c)/1e-12;
 %! assert (found (c), of_accelerations (zeros (3, 1), 150, q, c)(1:2), 1e-6);
 %! assert (found (setfield (c, "tangent", false)), of_accelerations (zeros (3, 1), 0, q, c)(1:2), 1e-6);
+%!test # those along the rod, too, beside fast ones across it that are much larger
+%! scene = setfield (swing (), "model", struct ("modes", [6 24], "stiffening", "foreshortening"));
+%! scene = check_scene (scene);
+%! model = build_model (scene, rung_of_scene (scene));
+%! c = setfield (rod_constants (scene, model), "points", dropped_points (model, scene));
+%! [c.followers, c.tangent] = deal (model.followers, true);
+%! n = columns (model.basis);
+%! omega = sqrt (diag (c.rod.stiffness_matrix)./diag (c.rod.mass_matrix));
+%! q = 5e-4*cos ((1:n).')./omega*omega(1);
+%! q_dot = 1.5e-4*sin ((1:n).')*omega(1);
+%! rate = c.rod.mass_matrix \ (-c.rod.stiffness_matrix*q);
+%! free = @(f, g) deal (rate + c.rod.mass_matrix \ f, 0);
+%! loads = struct ("gravity", c.gravity, "moment", 0, "force_x", 0, "force_y", 0);
+%! motion = @(x) struct ("q", q, "q_dot", q_dot, "q_ddot", x, "phi", 0.3, "phi_dot", 5, "phi_ddot", 0, "x_ddot", 0, ...
+%!                       "y_ddot", 0, "followers", []);
+%! more = @(x) rate + c.rod.mass_matrix \ dropped_forces (c.points, motion (x), loads);
+%! exact = q;
+%! for pass = 1:60
+%!   exact = more (exact);
+%! endfor
+%! assert (more (exact), exact, 1e-9*max (abs (exact)));
+%! found = accelerations_with_dropped (free, 0.5, q, q_dot, 0.3, 5, c);
+%! assert (found, exact, 0.01*abs (exact));
