@@ -2,7 +2,8 @@
 ## @deftypefn {} {@var{c} =} collocation (@var{s})
 ## The collocation method at the @var{s} points of Gauss (Butcher, Math. Comp. 18, 1964; order 2s, symplectic and
 ## stable for every oscillation): a struct of points (s-by-1), A (s-by-s, integrals of the polynomials to the points),
-## AA = A*A, weights and second_weights (of the second integral, 1-by-s).
+## AA = A*A, weights, second_weights (of the second integral, 1-by-s) and onward (s-by-s: values at the next step's
+## points).
 ## @end deftypefn
 
 function c = collocation (s)
@@ -13,9 +14,11 @@ function c = collocation (s)
   c.A = (c.points.^(powers + 1)./(powers + 1))/V;
   c.AA = c.A*c.A;
   c.second_weights = c.weights*c.A;
+  c.onward = ((1 + c.points).^powers)/V;
 endfunction
 
 %!test # the method of two points
 %! c = collocation (2);
 %! assert (c.A, [1/4, 1/4 - sqrt(3)/6; 1/4 + sqrt(3)/6, 1/4], 1e-14);
 %! assert (c.weights, [1 1]/2, 1e-14);
+%! assert (c.onward*c.points, 1 + c.points, 1e-13);

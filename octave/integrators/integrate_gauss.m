@@ -81,7 +81,7 @@ function [states, tangents] = march (system, method, interval, y, m, tangents, t
     t = interval(1) + h*(i - 1);
     z = y(1:n);
     z_dot = y(n+1:2*n);
-    acceleration = acceleration(:,4*ones (1, 4));  # as it was
+    acceleration *= method.onward.';
     if (! isempty (places) && all (isfinite (places(:))))
       acceleration = accelerations_to (method, h, z, z_dot, places(:,4*i-3:4*i));
     endif
