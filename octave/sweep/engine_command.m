@@ -15,10 +15,13 @@ function command = engine_command (engine, jobs, settings, folder, names, comman
   clean = sprintf ("unset %s; export QUIET=1; ", strjoin (of_make_sweep, " "));
   put = @(name, template, varargin) write_text (fullfile (folder, name), sprintf (template, varargin{:}));
   lines = [names; commands];
+  ## an engine goes when who waits for it has gone, whatever ended that
+  goes_with = sprintf ("( ( while kill -0 %d; do sleep 1; kill -0 $$ || exit; done; kill $$ ) >/dev/null 2>&1 & ); ", ...
+                       getpid ());
   switch (engine)
     case "parallel"
       put ("commands", "%s\n", commands{:});
-      command = ["PARALLEL_HOME=$PWD PARALLEL_SHELL=/bin/sh exec parallel --plain --will-cite --joblog joblog", ...
+      command = [goes_with, "PARALLEL_HOME=$PWD PARALLEL_SHELL=/bin/sh exec parallel --plain --will-cite --joblog joblog", ...
                  " --arg-file commands", option(" --jobs %d", jobs(isfinite (jobs))), ...
                  option(" --load %g", settings.load), option(" --memfree %s", settings.memory)];
       if (! isempty (settings.hosts))
@@ -28,7 +31,7 @@ function command = engine_command (engine, jobs, settings, folder, names, comman
       every = strjoin (names, " ");
       rules = sprintf ("%s:\n\t@%s\n", strrep (lines, "$", "$$"){:});
       put ("commands", ".PHONY: all %s\nall: %s\n%s", every, every, rules);
-      command = [sprintf("exec make -s -k -j %d -f commands", jobs), option(" -l %g", settings.load)];
+      command = [goes_with, sprintf("exec make -s -k -j %d -f commands", jobs), option(" -l %g", settings.load)];
     case "slurm"
       tasks = min (numel (names), 1000);
       put ("commands", "[ -e ../points/%s.row ] || %s\n", lines{:});
