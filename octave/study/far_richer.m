@@ -15,11 +15,11 @@ function run = far_richer (result, seconds = 60)
     return;
   endif
   like = run = richest_run (kind, scene, result.model);
+  scene.solver.tolerance /= 20;
   if (isfield (result.model, "rung"))
-    ladder = ladder_of (kind, sharper);
+    ladder = ladder_of (kind, scene);
     like = ladder.trial (ladder.richer (result.model.rung), []);
   endif
-  scene.solver.tolerance /= 20;
   dropped = kind.dropped (scene, like, like);
   if (! isempty (dropped))
     run.x += dropped.x;

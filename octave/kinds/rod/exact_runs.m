@@ -1,9 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{run}, @var{converged}] =} exact_runs (@var{kind}, @var{scene}, @var{seconds})
 ## The geometrically exact rod of a checked scene of a @var{kind} (see @code{kind_of} and @code{exact_rod}) with 12 +
-## 12 polynomials, or more, up to 32, until it has @var{converged}: with a name, and how far fewer polynomials are off
-## it (off, m), a fifth of the tolerance at most.  The last that was run, and false, where they take longer than so many
-## @var{seconds}; empty where it has not what the scene has, or the first two take longer, which is said.
+## 12 polynomials, or more, up to 32, each time with a quarter of the tolerance, until it has @var{converged}: with a
+## name, and how far the one before is off it (off, m), a fifth of the tolerance at most.  The last that was run, and
+## false, where they take longer than so many @var{seconds}; empty where it has not what the scene has, or the first two
+## take longer, which is said.
 ## @end deftypefn
 
 function [run, converged] = exact_runs (kind, scene, seconds)
@@ -15,13 +16,15 @@ function [run, converged] = exact_runs (kind, scene, seconds)
   endif
   try
     fewer = exact_rod (scene, 9, seconds/3);
+    finer = scene;
     for modes = [12 16 20 25 32]
-      richer = exact_rod (scene, modes, seconds - toc (start));
+      finer.solver.tolerance /= 4;
+      richer = exact_rod (finer, modes, seconds - toc (start));
       richer.name = sprintf ("geometrically exact, %d + %d polynomials", modes, modes);
       richer.off = distance (richer, fewer);
       converged = richer.off <= scene.solver.tolerance/5;
       run = fewer = richer;
-      printf ("  the exact rod with %d + %d polynomials, and with fewer: %.2g m apart\n", modes, modes, run.off);
+      printf ("  the exact rod with %d + %d polynomials, and one with fewer: %.2g m apart\n", modes, modes, run.off);
       if (converged)
         break;
       endif
