@@ -77,13 +77,15 @@ function [states, tangents] = march (system, method, interval, y, m, tangents, t
   h = diff (interval)/m;
   n = system.n;
   acceleration = zeros (n, 4);
+  guessed = ! isempty (places) && all (isfinite (places(:)));
   for i = 1:m
     t = interval(1) + h*(i - 1);
     z = y(1:n);
     z_dot = y(n+1:2*n);
-    acceleration *= method.onward.';
-    if (! isempty (places) && all (isfinite (places(:))))
+    if (guessed)
       acceleration = accelerations_to (method, h, z, z_dot, places(:,4*i-3:4*i));
+    else
+      acceleration *= method.onward.';
     endif
     [acceleration, stages, tangents, message] = collocation_stages (system, method, t, h, z, z_dot, acceleration, ...
                                                                     1e-12*system.points(end), tangents);

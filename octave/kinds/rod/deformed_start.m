@@ -11,19 +11,21 @@
 
 function [shape, velocity] = deformed_start (scene)
   initial = scene.initial;
-  [along, along_dot] = alike (initial.V1, initial.V1_dot);
-  [across, across_dot] = alike (initial.V2, initial.V2_dot);
-  start.base = base_functions (1:numel (along), 1:numel (across), scene.rod.length);
-  start.V = [along; across];
-  start.V_dot = [along_dot; across_dot];
+  [V1, V1_dot] = alike (initial.V1, initial.V1_dot);
+  [V2, V2_dot] = alike (initial.V2, initial.V2_dot);
+  start.base = base_functions (1:numel (V1), 1:numel (V2), scene.rod.length);
+  start.V = [V1; V2];
+  start.V_dot = [V1_dot; V2_dot];
   start.axis = panels_between (linspace (0, scene.rod.length, 3 + ceil (numel (start.V)/3)));
   [~, ~, angle, angle_dot] = going_on (start, 0);
   [start.phi, start.phi_dot] = deal (initial.phi, initial.phi_dot);
   if (! isempty (scene.rotation))
     [start.phi, start.phi_dot] = deal (-angle, -angle_dot);
   endif
-  shape = @(xi) placed (start, xi);
-  velocity = @(xi, places) moving (start, xi, places);
+  [along, along_dot] = going_on (start, start.axis.xi);
+  shape = @(xi) in_plane (start, xi, along, start.V);
+  velocity = @(xi, places) in_plane (start, xi, along_dot, start.V_dot) ...
+                           + start.phi_dot*[-places(2,:); places(1,:)];
 endfunction
 
 function [a, b] = alike (a, b)
@@ -35,16 +37,6 @@ endfunction
 function [varargout] = going_on (start, stations)
   [stretch, slope] = functions_at (start.base, stations, 1);
   [varargout{1:nargout}] = rod_exact_slope (slope*start.V, slope*start.V_dot, stretch*start.V, stretch*start.V_dot);
-endfunction
-
-function places = placed (start, xi)
-  along = going_on (start, start.axis.xi);
-  places = in_plane (start, xi, along, start.V);
-endfunction
-
-function rates = moving (start, xi, places)
-  [~, along_dot] = going_on (start, start.axis.xi);
-  rates = in_plane (start, xi, along_dot, start.V_dot) + start.phi_dot*[-places(2,:); places(1,:)];
 endfunction
 
 function vectors = in_plane (start, xi, along, V)
