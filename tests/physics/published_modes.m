@@ -78,3 +78,27 @@ endfunction
 %!   omega = on_surface (struct ("name", "cylinder", "radius", 0.4), rod, b);
 %!   assert (3*omega.^2, 0.1*k.^4 + (0.3*bending + 0.2*twisting)/0.4^2*k.^2, -1e-5);
 %! endfor
+
+%!function scene = with_diagonal ()   # three rigid links of 1 m and 1 kg over a fourth, a spring from O to the far joint
+%!  link = struct ("rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1), ...
+%!                 "model", struct ("modes", [0 0], "rotary_inertia", false));
+%!  scene.bodies = {link, link, link};
+%!  starts = {struct("phi", 2), struct("x", cos (2), "y", sin (2)), struct("x", 1, "phi", 2)};
+%!  for k = 1:3
+%!    scene.bodies{k}.initial = starts{k};
+%!  endfor
+%!  pin = @(bodies, stations, x) struct ("kind", "revolute", "bodies", bodies, "stations", stations, "point", [x 0]);
+%!  spring = struct ("kind", "spring", "bodies", 3, "stations", 1, "stiffness", 25, "damping", 1, "rest", sqrt (2));
+%!  scene.joints = {pin(1, 0, 0), pin([1 2], [1 0], 0), pin([2 3], [1 1], 0), pin(3, 0, 1), spring};
+%!  [scene.gravity, scene.duration] = deal (9.81, 1);
+%!endfunction
+%!test # IFToMM's four-bar linkage with a diagonal spring (library of benchmarks, its solution 120): where it rests
+%! phi = 2.23433101898;
+%! evalc ("rest = statics (with_diagonal (), 'output', '');");
+%! assert (rest.q([1 7]), [phi; phi], 1e-10);
+%!test # and how it rings, as its energies in the one angle have it: 5/6 phi_dot^2, 2 g sin (phi) + 25/2 (s - sqrt (2))^2
+%! phi = 2.23433101898;
+%! [s, s_1, s_2] = deal (2*cos (phi/2), -sin (phi/2), -cos (phi/2)/2);
+%! root = roots ([5/3, s_1^2, 25*(s_1^2 + (s - sqrt(2))*s_2) - 2*9.81*sin(phi)])(1);
+%! evalc ("mode = natural_modes (with_diagonal (), 'output', '');");
+%! assert ([mode.omega, mode.damping], [abs(root), -real(root)/abs(root)], 1e-9);
