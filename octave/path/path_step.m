@@ -3,7 +3,7 @@
 ## The @var{next} point of a @var{path} (see @code{path_point}), with its tangent, a @var{step} (m, see there) along
 ## its arc after a @var{point} (Riks, Int. J. Solids Struct. 15, 1979; on a plane across the tangent, from a place
 ## ahead that bends as the path did), and the step that is to be tried after it: longer where Newton's iteration took
-## less than four sweeps (Crisfield, Computers and Structures 13, 1981). A step that fails, or that turns the tangent
+## less than six sweeps (Crisfield, Computers and Structures 13, 1981). A step that fails, or that turns the tangent
 ## by more than 37 degrees, is halved; @var{next} is empty where none is left.
 ##
 ## The whole range of factors is as long as the longest rod, and no step longer than a tenth of it.
@@ -18,7 +18,7 @@ function [next, step] = path_step (path, point, step)
       next.tangent = path_tangent (next, point.tangent);
       next.bend = (next.tangent - point.tangent)/step;
       if (ahead.'*next.tangent >= 0.8)
-        step *= min (max (4/sweeps, 1/2), 2);
+        step *= min (max (6/sweeps, 1/2), 2);
         return;
       endif
     endif
@@ -36,7 +36,7 @@ endfunction
 %! dx = next.x - point.x;
 %! assert (dx.'*point.metric*dx, 0.005^2, 1e-8); assert (step > 0.005);
 %! [far, step] = path_step (path, point, 3);
-%! assert (norm (chol (point.metric)*(far.x - point.x)), 0.1, 1e-3); assert (step, 0.1*4/3, 1e-12);  # of three sweeps
+%! assert (norm (chol (point.metric)*(far.x - point.x)), 0.1, 1e-3); assert (step, 0.2, 1e-12);  # of three sweeps
 %!test # where forces are no numbers there is no way on
 %! path = sprung_column ();
 %! path.balance.residual = @(factor, q, v, lambda) factor.*sin (q) - q + (factor > 0)*NaN;
