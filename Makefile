@@ -27,7 +27,7 @@ help:
 	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg' \
 		'[SWEEP=yes: GNU parallel, for sweeps]'
 	@echo 'make simulate    simulate and draw SCENE=paper (or a file)' \
-		'[MODES="7 7" SOLVER=ode45 TOLERANCE=1e-6 SIZE=1920x1080 OUTPUT=folder PICTURES=no DENSE=1000 EXACT=yes]'
+		'[MODES="7 7" SOLVER=ode45 TOLERANCE=1e-6 SIZE=1920x1080 OUTPUT=folder PICTURES=no DENSE=1000 EXACT=yes PIECES=4]'
 	@echo 'make models      the ladder of models of SCENE=paper, error against seconds: table and chart [BUDGET=60 seconds]'
 	@echo 'make derive      derive all equations and translate them into generated/ [MODES="7 7" of the literal form]'
 	@echo 'make derive SURFACE=file    derive a surface of one'"'"'s own into output/surfaces/'

@@ -4,12 +4,13 @@
 ##
 ## @var{scene} is the name of a function in octave/scenes/ (default "paper"), the path of a function file of one's own,
 ## or a struct; `help scene_fields' lists its fields.  The options stand for fields of the scene: "modes" ([N1 N2] or
-## "auto"), "solver" (a name), "tolerance" (m, or "pixel"), "size" ([W H] of a frame in pixels); "output" is the folder
-## to write into (default output/NAME; "" writes nothing), and "pictures" (true or false) says whether there are to be
-## more than history.csv and summary.json.  "dense" (1/s) adds dense.csv, a table like history.csv of so many times a
-## second; "exact" (true, or "auto": where what all models drop passes the tolerance) takes the geometrically exact rod
-## for one straight rod, "auto" by default where a tolerance in metres is stated and nothing of the model; "command" is
-## what summary.json has to type for the run, where that is not this call.
+## "auto"), "solver" (a name), "tolerance" (m, or "pixel"), "size" ([W H] of a frame in pixels), "pieces" (how many
+## welded ones each straight rod is made of, see @code{in_pieces}); "output" is the folder to write into (default
+## output/NAME; "" writes nothing), and "pictures" (true or false) says whether there are to be more than history.csv
+## and summary.json.  "dense" (1/s) adds dense.csv, a table like history.csv of so many times a second; "exact" (true,
+## or "auto": where what all models drop passes the tolerance) takes the geometrically exact rod for one straight rod,
+## "auto" by default where a tolerance in metres is stated and nothing of the model; "command" is what summary.json has
+## to type for the run, where that is not this call.
 ##
 ## @var{result}, where it is asked for, is the run (see @code{kind_of}) with its scene and
 ## summary.
@@ -87,7 +88,7 @@ endfunction
 %! assert (result.history.t(end), 1.8);
 %! assert (result.summary.method, "waveform");
 %!error <model.modes is "many": it takes "auto" or two numbers of modes \[N1 N2\]> driver ("paper", "modes", "many")
-%!error <"speed" is not an option: those are modes, solver, tolerance, size, output, pictures, dense, exact, command>
+%!error <"speed" is not an option: those are modes, solver, tolerance, size, pieces, output, pictures, dense, exact, command>
 %! driver ("paper", "speed", 3);
 %!function scene = bent_rod ()
 %!  scene = struct ("rod", struct ("length", 1, "width", 0.02, "half_height", 0.001), "gravity", 0, "duration", 0.4);

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{arguments} =} environment_options (@var{more})
 ## The arguments of @code{driver} from the environment, as `make simulate' passes them: SCENE, MODES, SOLVER,
-## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES and EXACT (yes or no), DENSE, BUDGET, TIME, FILM, and SPEEDS, FACTOR
-## and FREQUENCIES (0:0.5:12), those that are set and not empty.  @var{more} (n-by-3 cell array, as of
+## TOLERANCE, SIZE ("1920x1080"), OUTPUT, PICTURES and EXACT (yes or no), PIECES, DENSE, BUDGET, TIME, FILM, and SPEEDS,
+## FACTOR and FREQUENCIES (0:0.5:12), those that are set and not empty.  @var{more} (n-by-3 cell array, as of
 ## @code{take_fields}) has the names of others, and their kinds.
 ## @end deftypefn
 
@@ -13,8 +13,8 @@ function arguments = environment_options (more = cell (0, 3))
   endif
   arguments = {scene};
   texts = [{"SOLVER", "OUTPUT"}, toupper(more(strcmp (more(:,3), "text"),1)).'];
-  names = [{"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "DENSE", "EXACT", "BUDGET", "TIME", "FILM", ...
-            "SPEEDS", "FACTOR", "FREQUENCIES"}, toupper(more(:,1)).'];
+  names = [{"MODES", "SOLVER", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "DENSE", "EXACT", "PIECES", "BUDGET", "TIME", ...
+            "FILM", "SPEEDS", "FACTOR", "FREQUENCIES"}, toupper(more(:,1)).'];
   for name = names
     value = getenv (name{1});
     if (! any (strcmp (name{1}, texts)))

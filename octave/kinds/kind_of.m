@@ -21,6 +21,9 @@
 ## text of what those are, and curve (rung), the name of the rung's curve
 ## @item far_richer (scene, model)
 ## a rung far above a model's
+## @item divided (scene)
+## [scene, points]: the scene in shorter pieces, whose models drop less, and which of its points are the scene's own (see
+## @code{mechanism_points}); or empty
 ## @item build (scene, rung)
 ## the model
 ## @item system (scene, model)

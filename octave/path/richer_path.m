@@ -7,7 +7,7 @@
 
 function rich = richer_path (kind, scene, path, points)
   rich = [];
-  if (isnan (path.functions) || path.functions >= path.balance.most || ! isfield (path.balance, "interpolation"))
+  if (isnan (path.functions) || path.functions >= path.balance.most)
     return;
   endif
   before = find (! cellfun (@isempty, {points.event}), 1);

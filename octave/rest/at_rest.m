@@ -3,7 +3,7 @@
 ## The equilibrium of a checked scene of a @var{kind} (see @code{kind_of}) under its loads at the time @var{t} (s),
 ## with the modes that it states, or with 4, 8, 16 and 32 base functions of each sort until none of @var{measure}
 ## (found), a row of numbers, changes by more than @var{enough} of itself, 1e-6 by default, or a thousandth of that of
-## the largest.
+## the largest; or as many of them as find an equilibrium.
 ##
 ## @var{found} is a struct of balance (see @code{mechanism_at_rest}), q, lambda and linear (see @code{equilibrium}),
 ## vibrations (see @code{vibrations}), functions (how many of each sort, NaN: stated) and change, of each number by the
@@ -25,7 +25,16 @@ function found = at_rest (kind, scene, t, measure, enough = 1e-6)
   coarse = [];
   for n = [4 8 16 32]
     show_progress (sprintf ("equilibrium with %d base functions of each sort", n));
-    coarse = found = equilibrium_of (kind, scene, kind.sized (scene, n), t, coarse);
+    try
+      coarse = equilibrium_of (kind, scene, kind.sized (scene, n), t, coarse);
+    catch err
+      rethrow_others (err, "toolchain:scene");
+      if (isempty (coarse))
+        rethrow (err);
+      endif
+      break;  # the change that the last doubling made stays the one that is said
+    end_try_catch
+    found = coarse;
     found.functions = n;
     [found.change, last] = relative_change (measure (found), last);
     if (n >= found.balance.most || found.change <= enough)
@@ -38,7 +47,8 @@ endfunction
 function found = equilibrium_of (kind, scene, model, t, coarse)
   found.time = t;
   found.balance = balance_near (kind, scene, model, coarse);
-  [found.q, found.lambda, found.linear] = equilibrium (found.balance, t);
+  most = [50, 300](1 + isempty (coarse));
+  [found.q, found.lambda, found.linear] = equilibrium (found.balance, t, found.balance.start, most);
   found.vibrations = vibrations (found.linear);
 endfunction
 

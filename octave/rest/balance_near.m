@@ -6,7 +6,7 @@
 
 function balance = balance_near (kind, scene, model, coarse)
   balance = kind.at_rest (scene, model);
-  if (! isempty (coarse) && isfield (coarse.balance, "interpolation"))
+  if (! isempty (coarse))
     balance.start = balance.interpolation \ (coarse.balance.interpolation*coarse.q);
   endif
 endfunction

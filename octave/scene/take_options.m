@@ -13,7 +13,7 @@ function [scene, output] = take_options (scene, folder, options)
     scene_error ("options come as names and values, in pairs");
   endif
   fields = struct ("modes", {{"model", "modes"}}, "solver", {{"solver", "name"}}, ...
-                   "tolerance", {{"solver", "tolerance"}}, "size", {{"frame_size"}});
+                   "tolerance", {{"solver", "tolerance"}}, "size", {{"frame_size"}}, "pieces", {{"pieces"}});
   for pair = reshape (options, 2, [])
     [name, value] = pair{:};
     if (strcmp (name, "output") && ischar (value))

@@ -3,7 +3,8 @@
 ## What the scene of a @var{result} of @code{driver} truly does: the geometrically exact rod where that has it and
 ## converges in so many @var{seconds} (60; see @code{exact_runs}), or else a far richer model of the same physics
 ## (see @code{richest_run}), its points moved by what all such models drop (see @code{dropped_error}), as the next
-## richer model of the ladder has it: more modes than that do not change it, but take a long time.
+## richer model of the ladder has it: more modes than that do not change it, but take a long time.  Where of that only a
+## bound is known, and is more than a twentieth of the tolerance, it is the scene in pieces, which drop less of it.
 ## @end deftypefn
 
 function run = far_richer (result, seconds = 60)
@@ -14,13 +15,20 @@ function run = far_richer (result, seconds = 60)
   if (converged)
     return;
   endif
-  like = run = richest_run (kind, scene, result.model);
   scene.solver.tolerance /= 20;
+  [pieces, points] = kind.divided (sharper);
+  like = result;
   if (isfield (result.model, "rung"))
     ladder = ladder_of (kind, scene);
     like = ladder.trial (ladder.richer (result.model.rung), []);
   endif
   dropped = kind.dropped (scene, like, like);
+  if (! isempty (pieces) && ! isempty (dropped) && dropped.bound > scene.solver.tolerance)
+    evalc ("run = run_model (kind, pieces, chosen_model (kind, pieces));");
+    [run.x, run.y] = deal (run.x(points,:), run.y(points,:));
+    return;
+  endif
+  run = richest_run (kind, result.scene, result.model);
   if (! isempty (dropped))
     run.x += dropped.x;
     run.y += dropped.y;

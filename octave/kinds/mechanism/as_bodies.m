@@ -23,7 +23,7 @@ function scene = as_bodies (given)
   endif
   scene.bodies = {body};
   scene.joints = [{struct("name", "hinge", "kind", "revolute", "bodies", 1, "stations", 0)}, loads_of(given), ...
-                  on_the_body(given.joints)];
+                  on_the_body(field_or (given, "joints", {}))];
   if (isfield (given, "moment_breaks"))
     scene.breaks = given.moment_breaks;
   endif

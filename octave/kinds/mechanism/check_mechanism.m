@@ -14,6 +14,7 @@ function scene = check_mechanism (given)
   [scene.breaks, scene.probed] = load_breaks (joint_loads (scene.joints), scene.breaks, scene);
   scene.joints = with_values (scene.joints, scene.bodies);
   scene.solver.tolerance = tolerance_in_metres (scene.solver.tolerance, mechanism_kind ().pixel (scene));
+  scene = in_pieces (scene, scene.pieces);
 endfunction
 
 function scene = same_modes (scene)

@@ -33,6 +33,8 @@
 ## forces less Phi_q' lambda and less inertia (n-by-k), and the constraints
 ## @item jacobian (q)
 ## Phi_q (multipliers-by-n)
+## @item interpolation
+## what the coordinates move at 41 places of each body, along and across it, and its angle and place (a matrix)
 ## @item most
 ## the largest number of base functions that is of use
 ## @item bodies
@@ -57,9 +59,14 @@ function balance = mechanism_at_rest (scene, mechanism)
   balance.moving = @(t, q, v, a, lambda) moving (system, t, q, v, a, lambda);
   balance.jacobian = @(q) jacobian_at (system, q);
   balance.most = 32;
+  balance.interpolation = [];
   for k = 1:numel (mechanism.models)
     balance.bodies{k} = index_of (mechanism, k);
     balance.names{k} = scene.bodies(k).name;
+    base = mechanism.models{k}.base;
+    [along, across] = functions_at (base, linspace (0, mechanism.models{k}.length, 41));
+    balance.interpolation = [balance.interpolation; zeros(85, balance.n)];
+    balance.interpolation(end-84:end,balance.bodies{k}) = blkdiag ([along; across], eye (3));
   endfor
 endfunction
 

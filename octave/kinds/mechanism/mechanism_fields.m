@@ -4,6 +4,7 @@
 ## @code{value_error}).  rod and model of a body are those of a scene with one rod (see @code{scene_fields}); joints
 ## have @code{joint_fields}.
 ##
+## pieces is how many welded pieces each straight rod is divided into (see @code{in_pieces}).
 ## initial.x, initial.y (m) are the place of the body's end O, initial.x_dot, initial.y_dot (m/s) its velocity; without
 ## them they are what its first joint makes them.
 ## @end deftypefn
@@ -17,6 +18,7 @@ function [scene, body] = mechanism_fields ()
     of("initial.from"); of("solver.step"); of("solver.rho_infinity"); of("solver.tolerance")
     {"solver.baumgarte", 100, "positive number in 1/s"
      "bodies", NaN, "struct array, or cell array of structs"
+     "pieces", 1, "positive number of pieces of each straight rod"
      "joints", {{}}, "struct array, or cell array of structs"
      "breaks", [], "vector of times in s"}
   ];

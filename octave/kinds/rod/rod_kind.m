@@ -11,6 +11,7 @@ function kind = rod_kind ()
   kind.stated = @stated_rung;
   kind.ladder = @straight_or_curved;
   kind.far_richer = @far_richer_rung;
+  kind.divided = @(scene) deal ([], []);
   kind.build = @build_model;
   kind.system = @rod_system;
   kind.led_by = @(system, run) system;

@@ -4,7 +4,7 @@
 ## @end deftypefn
 
 function text = welded_rods ()
-  text = "several shorter rods welded together (scene.bodies, joints of the kind \"weld\") bend less each";
+  text = "PIECES=4, or the option \"pieces\", makes each rod of as many shorter rods welded together, which bend less";
 endfunction
 
 %!assert (! isempty (strfind (welded_rods (), "weld")))

@@ -11,6 +11,7 @@ function kind = surface_kind ()
   kind.stated = @stated_rung;
   kind.ladder = @surface_ladder;
   kind.far_richer = @(scene, model) min (2*model.numbers.modes, 32);
+  kind.divided = @(scene) deal ([], []);
   kind.build = @(scene, rung) surface_rod (setfield (scene, "model", "modes", rung));
   kind.system = @(scene, model) model;
   kind.led_by = @led_on_surface;

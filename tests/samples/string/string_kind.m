@@ -13,6 +13,7 @@ function kind = string_kind ()
   kind.stated = @stated_rung;
   kind.ladder = @ladder_of_elements;
   kind.far_richer = @(scene, model) 2*model.elements + 6;
+  kind.divided = @(scene) deal ([], []);
   kind.build = @(scene, rung) setfield (scene.string, "elements", rung);
   kind.system = @string_system;
   kind.led_by = @(system, run) system;
