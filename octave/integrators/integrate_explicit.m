@@ -35,29 +35,13 @@ function [states, steps] = integrate_explicit (ode, system, times, y, solver)
 endfunction
 
 function [states, steps] = solve (ode, system, rate, times, y, solver, scale, first_step)
-  ## with two times they keep every step, in arrays that they grow one by one
-  requested = unique ([times, mean(times)]);
   options = odeset ("RelTol", 100*eps, "AbsTol", max (solver.tolerance*scale, realmin), ...
                     "InitialStep", first_step, "MaxStep", times(end) - times(1));
   if (isfield (solver, "step") && ! isempty (solver.step))
     options = odeset ("RelTol", 1e100, "AbsTol", 1e100, "InitialStep", solver.step, "MaxStep", solver.step);
   endif
   stages = struct ("ode45", 6, "ode23", 3).(func2str (ode));
-  before = system.calls ();
-  warning_state = warning ("off", "all");
-  unwind_protect
-    [t, states] = ode (rate, requested, y, options);
-  unwind_protect_cleanup
-    warning (warning_state);
-  end_unwind_protect
-  steps = round ((system.calls () - before)/stages);
-  finite = all (isfinite (states), 2);
-  if (t(end) < times(end) || ! all (finite))
-    reached = max ([t(finite); times(1)]);
-    stop_integration (func2str (ode), system, reached, times(end), (reached - times(1))/max (steps, 1), ...
-                      "its steps shrank to nothing", sprintf ("a larger tolerance than %.2g m", solver.tolerance));
-  endif
-  states = states(ismember (requested, times),:).';
+  [states, steps] = octave_ode (ode, system, rate, times, y, options, stages, solver.tolerance);
 endfunction
 
 %!test # harmonic oscillator over ten periods, as it is and turned

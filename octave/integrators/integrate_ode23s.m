@@ -10,24 +10,11 @@
 
 function [states, steps] = integrate_ode23s (system, times, y, solver)
   scale = system.state_scale;
-  requested = unique ([times, mean(times)]);
   options = odeset ("RelTol", solver.tolerance, "AbsTol", solver.tolerance, "MaxStep", times(end) - times(1), ...
                     "InitialStep", min (1e-3*(times(end) - times(1)), 0.1/max (highest_frequency (system), realmin)));
-  before = system.calls ();
-  warning_state = warning ("off", "all");
-  unwind_protect
-    [t, states] = ode23s (@(t, u) system.rate (t, scale.*u)./scale, requested, y./scale, options);
-  unwind_protect_cleanup
-    warning (warning_state);
-  end_unwind_protect
-  steps = round ((system.calls () - before)/(numel (y) + 4));
-  finite = all (isfinite (states), 2);
-  if (t(end) < times(end) || ! all (finite))
-    reached = max ([t(finite); times(1)]);
-    stop_integration ("ode23s", system, reached, times(end), (reached - times(1))/max (steps, 1), ...
-                      "its steps shrank to nothing", sprintf ("a larger tolerance than %.2g m", solver.tolerance));
-  endif
-  states = scale.*states(ismember (requested, times),:).';
+  [states, steps] = octave_ode (@ode23s, system, @(t, u) system.rate (t, scale.*u)./scale, times, y./scale, options, ...
+                                numel (y) + 4, solver.tolerance);
+  states = scale.*states;
 endfunction
 
 %!test # a stiff oscillation, damped
