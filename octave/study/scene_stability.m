@@ -14,7 +14,8 @@ function table = scene_stability (scene = "paper", varargin)
   given = scene;
   [scene, kind, output, left] = study_scene (scene, varargin);
   [model, choice] = chosen_model (kind, scene);
-  system = at_rates (kind.system (scene, model));
+  whole = kind.system (scene, model);
+  system = at_rates (whole);
   mode = struct ("omega", 0);
   if (rows (system.mass) > 0)
     mode = highest_mode (system);
@@ -24,6 +25,9 @@ function table = scene_stability (scene = "paper", varargin)
   endif
   printf ("  highest frequency about the start: %.6g rad/s\n", mode.omega);
   found = [told(load_limits (given, varargin, left)), told(model_limits (kind, scene, model, choice.trial, left))];
+  if (ismember ("constrained", whole.forms))
+    found = [found, told(constraint_limits (whole, scene.solver.baumgarte))];
+  endif
   curves = {};
   exact = true_amplitudes (system, mode);
   for method = explicit_methods (system)
