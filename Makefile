@@ -126,8 +126,9 @@ map:
 systems:
 	@tests/systems/run
 
-pairs:
-	@$(run_octave) --eval 'source octave/toolchain_path.m; addpath tests/pairs; exit (run_pairs () > 0);'
+pairs: pairs-rod pairs-mechanism pairs-surface
+pairs-%:
+	@$(run_octave) --eval 'source octave/toolchain_path.m; addpath tests/pairs; exit (run_pairs ({"$*"}) > 0);'
 
 mutants:
 	@tests/mutants/run

@@ -15,6 +15,7 @@ function counts = all_pairs (kind, base, choices, most = Inf)
   counts = struct ("scenes", 0, "pairs", sum (open(:))/2, "ran", 0, "refused", 0, "faults", 0);
   causes = {};
   while (any (open(:)) && counts.scenes < most)
+    show_progress (sprintf ("%s: %d pairs are left", kind, sum (open(:))/2));
     row = next_row (open, factor_of, causes);
     [outcome, message] = try_scene (scene_of (base, choices, row));
     counts.scenes++;
@@ -36,6 +37,7 @@ function counts = all_pairs (kind, base, choices, most = Inf)
       counts.refused += before - sum (open(:))/2;
     endif
   endwhile
+  show_progress ("");
 endfunction
 
 function open = without (open, cause)
