@@ -7,6 +7,7 @@
 ## @end deftypefn
 
 function [states, steps] = octave_ode (ode, system, rate, times, y, options, stages, tolerance)
+  reached = [];
   requested = unique ([times, mean(times)]);  # with two times they keep every step, in arrays that they grow one by one
   before = system.calls ();
   warning_state = warning ("off", "all");
@@ -18,22 +19,23 @@ function [states, steps] = octave_ode (ode, system, rate, times, y, options, sta
       if (isempty (where))
         rethrow (err);
       endif
-      [t, states] = deal (str2double (where{1}), y.');  # Octave 7 gives up after 5000 refused steps
+      reached = str2double (where{1});  # Octave 7 gives up after 5000 refused steps
     end_try_catch
   unwind_protect_cleanup
     warning (warning_state);
   end_unwind_protect
   steps = round ((system.calls () - before)/stages);
-  finite = all (isfinite (states), 2);
-  if (t(end) < times(end) || ! all (finite))
-    stop (ode, system, max ([t(finite); times(1)]), times, steps, tolerance);
+  if (isempty (reached))
+    finite = all (isfinite (states), 2);
+    if (t(end) < times(end) || ! all (finite))
+      reached = max ([t(finite); times(1)]);
+    endif
+  endif
+  if (! isempty (reached))
+    stop_integration (func2str (ode), system, reached, times(end), (reached - times(1))/max (steps, 1), ...
+                      "its steps shrank to nothing", sprintf ("a larger tolerance than %.2g m", tolerance));
   endif
   states = states(ismember (requested, times),:).';
-endfunction
-
-function stop (ode, system, reached, times, steps, tolerance)
-  stop_integration (func2str (ode), system, reached, times(end), (reached - times(1))/max (steps, 1), ...
-                    "its steps shrank to nothing", sprintf ("a larger tolerance than %.2g m", tolerance));
 endfunction
 
 %!error <stopped at t = 0.0016 s of 2 s: its steps shrank to nothing: .*; try a larger tolerance than 1e-06 m>

@@ -28,8 +28,8 @@ function found = at_rest (kind, scene, t, measure, enough = 1e-6)
     try
       coarse = equilibrium_of (kind, scene, kind.sized (scene, n), t, coarse);
     catch err
-      rethrow_others (err, "toolchain:scene");
-      if (isempty (coarse))
+      rethrow_others (err, "toolchain:scene:equilibrium");
+      if (isempty (coarse) || any (isinf (found.change)))
         rethrow (err);
       endif
       break;  # the change that the last doubling made stays the one that is said

@@ -21,16 +21,18 @@ function [q, lambda, linear] = equilibrium (balance, t, q = balance.start, most 
     force = linear.basis.'*(r(1:n) - linear.stiffness*onto);
     step = onto + linear.basis*fall (linear, force);
     metres = balance.size (step);
-    q += share_of (balance, t, q, lambda, step, min (1, 0.05*balance.length/metres))*step;
+    share = share_of (balance, t, q, lambda, step, min (1, 0.05*balance.length/metres));
+    q += share*step;
     lambda += inverse_of (linear.jacobian).'*(r(1:n) - linear.stiffness*step);
-    if (metres < 1e-13*balance.length || (metres < 1e-8*balance.length && metres >= smallest/2))
+    if (metres < 1e-13*balance.length || (metres < 1e-8*balance.length && metres >= smallest/2) ...
+        || (smallest < 1e-7*balance.length && metres > smallest))
       linear = linearised (balance, t, q, lambda);
       return;
     endif
     smallest = min (smallest, metres);
   endfor
-  error ("toolchain:scene", ["no equilibrium was found in %d steps: the last one moved a point by %.2g m; place" ...
-                             " the bodies nearer to it, or take smaller loads\n"], most, metres);
+  error ("toolchain:scene:equilibrium", ["no equilibrium was found in %d steps: the last one moved a point by %.2g m; place" ...
+                             " the bodies nearer to it, or take smaller loads\n"], most, share*metres);
 endfunction
 
 ## of a step: until the forces along it turn back

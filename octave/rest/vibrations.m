@@ -10,6 +10,10 @@
 ## @end deftypefn
 
 function modes = vibrations (linear)
+  if (isempty (linear.M))
+    modes = struct ("omega", zeros (1, 0), "damping", zeros (1, 0), "rate", zeros (1, 0), "shape", [], "vector", []);
+    return;
+  endif
   M = (linear.M + linear.M.')/2;
   skew = max (max (abs (linear.K - linear.K.')))/max (max (abs (linear.K(:))), realmin);
   if (any (linear.C(:)) || skew > 1e-7)

@@ -21,6 +21,7 @@ function good = is_of_kind (kind, value)
     '\[N1 N2\]',            @(x) is_pair (x, 0, 1000) && all (x(:) == fix (x(:)))
     '\[W H\]',              @(x) is_pair (x, 320, 8192) && all (mod (x(:), 2) == 0)
     '^number from 0 to 1$', @(x) is_number (x) && x >= 0 && x <= 1
+    '^whole number from 1 to 50', @(x) is_number (x) && any (x == 1:50)
     'positive number',      @(x) is_number (x) && x > 0
     'nonnegative number',   @(x) is_number (x) && x >= 0
     'number',               @(x) is_number (x)

@@ -3,8 +3,9 @@
 ## What the scene of a @var{result} of @code{driver} truly does: the geometrically exact rod where that has it and
 ## converges in so many @var{seconds} (60; see @code{exact_runs}), or else a far richer model of the same physics
 ## (see @code{richest_run}), its points moved by what all such models drop (see @code{dropped_error}), as the next
-## richer model of the ladder has it: more modes than that do not change it, but take a long time.  Where of that only a
-## bound is known, and is more than a twentieth of the tolerance, it is the scene in pieces, which drop less of it.
+## richer model of the ladder has it: more modes than that do not change it, but take a long time.  Of a mechanism only a
+## bound of that is known: where it is more than a twentieth of the tolerance, it is the scene in pieces, which drop less
+## of it, chosen at a quarter of the tolerance.
 ## @end deftypefn
 
 function run = far_richer (result, seconds = 60)

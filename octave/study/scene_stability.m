@@ -4,7 +4,8 @@
 ## scene's start (see @code{highest_mode}) and the step that follows, and where the amplitude grows by a hundredth in a
 ## step, predicted by the method's stability function and measured on the nonlinear equations (of a mechanism: those of
 ## its accelerations); the largest mean step of adaptive methods; and the limits of the model itself (see
-## @code{model_limits}).  Arguments as for @code{driver}; the model is what a run would take.
+## @code{model_limits}) and of a mechanism's constraints (see @code{constraint_limits}).  Arguments as for
+## @code{driver}; the model is what a run would take.
 ##
 ## Leaves stability.csv, stability.svg and stability.png in the folder of the scene's output.  @var{table} is a struct
 ## array of method, what, predicted and measured, as from @code{stability}.
@@ -25,7 +26,7 @@ function table = scene_stability (scene = "paper", varargin)
   endif
   printf ("  highest frequency about the start: %.6g rad/s\n", mode.omega);
   found = [told(load_limits (given, varargin, left)), told(model_limits (kind, scene, model, choice.trial, left))];
-  if (ismember ("constrained", whole.forms))
+  if (ismember ("constrained", whole.forms) && whole.constraint_count > 0)
     found = [found, told(constraint_limits (whole, scene.solver.baumgarte))];
   endif
   curves = {};

@@ -45,7 +45,7 @@ function result = one_rest (kind, scene, output, time)
   result.along = result.balance.along (time, result.q, result.lambda);
   result.supports = result.balance.supports (time, result.q, result.lambda);
   result.stable = ! any (result.vibrations.rate);
-  result.slowest = result.vibrations.omega(1);
+  result.slowest = [result.vibrations.omega, Inf](1);
   describe (result, time);
   publish_study (output, {"shape.csv", "along.csv", "statics.csv"}, ...
                  {"shape.svg", "shape.png", "along.svg", "along.png"}, ...
@@ -79,6 +79,8 @@ function describe (found, time)
   if (! found.stable)
     say ("warning: it is unstable: what is beside it goes away as exp (%.4g t)", ...
          max (found.vibrations.rate));
+  elseif (isinf (found.slowest))
+    say ("  its joints hold all of it");
   elseif (found.slowest == 0)
     say ("  something moves without coming back: the equilibrium is one of many");
   else

@@ -21,12 +21,23 @@ function scene = as_bodies (given)
     scene.initial.from = body.initial.from;
     body.initial = rmfield (body.initial, "from");
   endif
+  if (isfield (given, "rotation") && is_function_handle (given.rotation))
+    body = turned_at_first (body, given.rotation (0));
+  endif
   scene.bodies = {body};
   scene.joints = [{struct("name", "hinge", "kind", "revolute", "bodies", 1, "stations", 0)}, loads_of(given), ...
                   on_the_body(field_or (given, "joints", {}))];
   if (isfield (given, "moment_breaks"))
     scene.breaks = given.moment_breaks;
   endif
+endfunction
+
+## where the hub has it, unless it says otherwise
+function body = turned_at_first (body, turn)
+  names = {"phi", "phi_dot"};
+  for k = find (numel (turn) == 3 & ! isfield (field_or (body, "initial", struct ()), names))
+    body.initial.(names{k}) = turn(k);
+  endfor
 endfunction
 
 function joints = loads_of (given)

@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} check_mechanism (@var{given})
 ## The scene of a mechanism with all its fields (see @code{mechanism_fields}): those @var{given}, checked, and defaults
-## for the others; bodies and joints become struct arrays, a joint's bodies two numbers (0: the ground).  The option
+## for the others; bodies and joints become struct arrays, a joint's bodies two numbers (0: the ground); longest is the
+## length of the longest rod, before it is in pieces (see @code{in_pieces}).  The option
 ## "modes" of @code{driver} is for all bodies.
 ## @end deftypefn
 
@@ -10,6 +11,10 @@ function scene = check_mechanism (given)
   scene = take_fields (same_modes (as_bodies (spelled_start (without_probed (given)))), fields, "a scene of bodies");
   refuse_missing_solver (scene.solver.name, "radau");
   scene.bodies = take_list (scene.bodies, of_body, "bodies", "body", @check_body);
+  if (isempty (scene.bodies))
+    scene_error ("bodies is empty: it takes a struct for each body");
+  endif
+  scene.longest = max (arrayfun (@(body) body.rod.length, scene.bodies));
   scene.joints = check_joints (scene.joints, scene.bodies);
   [scene.breaks, scene.probed] = load_breaks (joint_loads (scene.joints), scene.breaks, scene);
   scene.joints = with_values (scene.joints, scene.bodies);

@@ -8,9 +8,8 @@
 ## @end deftypefn
 
 function scene = in_pieces (scene, count)
-  if (! (count == fix (count) && count <= 50))
-    scene_error ("pieces is %g: it takes a whole number of pieces of each straight rod, 50 at most", count);
-  elseif (count == 1)
+  count = double (count);
+  if (count == 1)
     return;
   endif
   bodies = struct ([]);
@@ -19,21 +18,35 @@ function scene = in_pieces (scene, count)
     first(k) = numel (bodies) + 1;
     bodies = [bodies, pieces_of(scene.bodies(k), count)];
     for n = first(k) + 1:numel (bodies)
-      welds{end+1} = struct ("kind", "weld", "bodies", [n-1, n], "stations", [bodies(n).rod.length, 0]);
+      welds{end+1} = struct ("kind", "weld", "name", ["weld of " bodies(n).name], "bodies", [n-1, n], ...
+                             "stations", [bodies(n).rod.length, 0]);
     endfor
   endfor
   for k = 1:numel (scene.joints)
     for side = find (scene.joints(k).bodies > 0)
       n = first(scene.joints(k).bodies(side));
-      length = bodies(n).rod.length;
       last = [first, numel(bodies) + 1](scene.joints(k).bodies(side) + 1) - 1;
-      piece = min (floor (scene.joints(k).stations(side)/length), last - n);
+      [piece, scene.joints(k).stations(side)] = piece_at (scene.joints(k).stations(side), bodies(n).rod.length, last - n);
       scene.joints(k).bodies(side) = n + piece;
-      scene.joints(k).stations(side) -= piece*length;
     endfor
   endfor
   scene.bodies = bodies;
-  scene.joints = [scene.joints(:).', with_values(check_joints (welds, bodies), bodies)];
+  welds = with_values (check_joints (welds, bodies), bodies);
+  if (isempty (scene.joints))
+    scene.joints = welds;
+  elseif (! isempty (welds))
+    scene.joints = [scene.joints(:).', welds];
+  endif
+endfunction
+
+## how many pieces before the one that has a station, and where on it: at its ends without rounding
+function [piece, station] = piece_at (station, length, last)
+  pieces = station/length;
+  if (abs (pieces - round (pieces)) < 1e-9)
+    pieces = round (pieces);
+  endif
+  piece = min (floor (pieces), last);
+  station = (pieces - piece)*length;
 endfunction
 
 function pieces = pieces_of (body, count)
@@ -72,6 +85,27 @@ endfunction
 %! assert ({scene.joints.kind}, {"revolute", "force", "weld", "weld", "weld"});
 %! assert (vertcat (scene.joints.bodies), [5 3; 4 0; 1 2; 2 3; 3 4]);
 %! assert (vertcat (scene.joints.stations), [2 0; 0.2 0; 0.5 0; 0.5 0; 0.5 0], 1e-15);
+%!test # what holds a tip, and an inner end, is there to the last bit, whatever the number
+%! scene = two_rods ();
+%! scene.bodies{1}.rod.length = 1;
+%! for count = [3 5 6 7 10]
+%!   scene.joints = {struct("kind", "weld", "bodies", [1 2], "stations", [1 0])
+%!                   struct("kind", "moment", "bodies", 1, "stations", 2/count, "value", 1)};
+%!   joints = check_mechanism (setfield (scene, "pieces", int8 (count))).joints;
+%!   assert (joints(1).stations(1) == 1/count); assert (joints(1).bodies, [count, count + 1]);
+%!   assert (joints(2).stations(1), 0); assert (joints(2).bodies(1), 3);
+%! endfor
+%!test # what has no straight rods, or no joints
+%! arc = setfield (arc_pendulum (), "pieces", 3);
+%! assert (numel (check_mechanism (arc).bodies), 1);
+%! scene = rmfield (two_rods (), "joints");
+%! assert ({check_mechanism(setfield (scene, "pieces", 2)).joints.name}, {"weld of boom, piece 2"});
+%!test # a rod in a hub is at first where that is, in pieces, too
+%! scene = struct ("rod", two_rods ().bodies{1}.rod, "duration", 0.1, "rotation", @(t) [1+3*t, 3, 0], "gravity", 0);
+%! scene.model.modes = [0 0];
+%! whole = driver (scene, "output", "");
+%! pieces = driver (scene, "output", "", "pieces", 2);
+%! assert (pieces.history.bodies(2).tip_x, whole.history.tip_x, 1e-8);
 %!test # a rigid rod swings as its four pieces do
 %! scene = struct ("rod", two_rods ().bodies{1}.rod, "duration", 0.5, "frames_per_second", 10, "tip_mass", 2);
 %! [scene.model.modes, scene.solver.tolerance, scene.initial.phi_dot] = deal ([0 0], 1e-9, 3);
@@ -88,9 +122,9 @@ endfunction
 %!   off(count) = -rest.shape{end}(end,2)/2 - 0.30172;
 %! endfor
 %! assert (off(4), 0, 3e-3); assert (abs (off(1)) > 8*abs (off(4)));
-%!error <pieces is 2.5: it takes a whole number of pieces of each straight rod, 50 at most>
+%!error <pieces is 2.5000: it takes whole number from 1 to 50, pieces of each straight rod>
 %! check_mechanism (setfield (two_rods (), "pieces", 2.5));
-%!error <pieces is -1: it takes positive number of pieces> check_mechanism (setfield (two_rods (), "pieces", -1));
+%!error <pieces is 51: it takes whole number> check_mechanism (setfield (two_rods (), "pieces", 51));
 %!error <boom starts with amplitudes of its modes: in 3 pieces it has others, and takes none>
 %! scene = two_rods ();
 %! scene.bodies{1}.initial.V2 = 0.1;

@@ -18,8 +18,8 @@ function [scene, body] = mechanism_fields ()
     of("initial.from"); of("solver.step"); of("solver.rho_infinity"); of("solver.tolerance")
     {"solver.baumgarte", 100, "positive number in 1/s"
      "bodies", NaN, "struct array, or cell array of structs"
-     "pieces", 1, "positive number of pieces of each straight rod"
-     "joints", {{}}, "struct array, or cell array of structs"
+     "pieces", 1, "whole number from 1 to 50, pieces of each straight rod"
+     "joints", {}, "struct array, or cell array of structs"
      "breaks", [], "vector of times in s"}
   ];
   initial = {
@@ -42,7 +42,7 @@ endfunction
 %! [scene, body] = mechanism_fields ();
 %! joint = joint_fields ();
 %! of = @(fields, names) cellfun (@(name) fields{strcmp(fields(:,1), name),2}, names, "uniformoutput", false);
-%! assert (of (scene, {"solver.baumgarte", "bodies", "joints", "breaks"}), {100, NaN, {{}}, []});
+%! assert (of (scene, {"solver.baumgarte", "bodies", "joints", "breaks"}), {100, NaN, {}, []});
 %! assert (of (joint, {"kind", "bodies", "stations", "point", "direction", "value", "stiffness", "damping", ...
 %!   "rest"}), ...
 %!         {NaN, NaN, [], [0 0], 0, 0, 0, 0, 0});

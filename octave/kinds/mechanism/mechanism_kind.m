@@ -9,7 +9,7 @@ function kind = mechanism_kind ()
   kind.has = @(given) isfield (given, "bodies") || isfield (given, "pieces") ...
                       || (isfield (given, "joints") && ! one_straight_rod (given));
   kind.check = @check_mechanism;
-  kind.pixel = @(scene) plane_pixel (scene, max (arrayfun (@(body) body.rod.length, scene.bodies)));
+  kind.pixel = @(scene) plane_pixel (scene, scene.longest);
   kind.stated = @stated_rung;
   kind.ladder = @mechanism_ladder;
   kind.far_richer = @far_richer_rung;
@@ -106,7 +106,11 @@ function [scene, points] = divided (scene)
     points = [points, count + own];
     count += own(end);
   endfor
-  scene = in_pieces (scene, 5);
+  if (numel (points) == count)
+    scene = points = [];  # all are curved
+  else
+    scene = in_pieces (scene, 5);
+  endif
 endfunction
 
 ## with the derivatives of the constraints by the coordinates at the start (constraints-by-n)
