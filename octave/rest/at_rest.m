@@ -47,8 +47,7 @@ endfunction
 function found = equilibrium_of (kind, scene, model, t, coarse)
   found.time = t;
   found.balance = balance_near (kind, scene, model, coarse);
-  most = [50, 300](1 + isempty (coarse));
-  [found.q, found.lambda, found.linear] = equilibrium (found.balance, t, found.balance.start, most);
+  [found.q, found.lambda, found.linear] = equilibrium (found.balance, t);
   found.vibrations = vibrations (found.linear);
 endfunction
 

@@ -1,5 +1,5 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{q}, @var{lambda}, @var{linear}] =} equilibrium (@var{balance}, @var{t}, @var{q}, @var{most})
+## @deftypefn {} {[@var{q}, @var{lambda}, @var{linear}] =} equilibrium (@var{balance}, @var{t}, @var{q})
 ## Where a @var{balance} of forces (see @code{mechanism_at_rest}) holds at rest under the loads at the time @var{t}
 ## (s): coordinates near @var{q} (n-by-1; default: the start), multipliers, and the equations linear about it (see
 ## @code{linearised}).
@@ -7,14 +7,14 @@
 ## Newton's iteration that falls: of each mode of the tangent stiffness the force is divided by its modulus (Dauphin et
 ## al. 2014, "saddle-free"), so that it comes to rest where the potential energy is least, but stays where nothing
 ## pulls; a step moves a point by a twentieth of a rod at most, and ends before forces along it turn back by more than
-## they were.  One that does not converge in so many steps at @var{most} (300) is an error.
+## they were.  One that does not converge in 300 steps is an error.
 ## @end deftypefn
 
-function [q, lambda, linear] = equilibrium (balance, t, q = balance.start, most = 300)
+function [q, lambda, linear] = equilibrium (balance, t, q = balance.start)
   n = balance.n;
   lambda = zeros (balance.multipliers, 1);
   smallest = Inf;
-  for sweep = 1:most
+  for sweep = 1:300
     linear = held_tangent (balance, t, q, lambda);
     r = balance.residual (t, q, 0*q, lambda);
     onto = -inverse_of (linear.jacobian)*r(n+1:end,1);
@@ -31,8 +31,8 @@ function [q, lambda, linear] = equilibrium (balance, t, q = balance.start, most 
     endif
     smallest = min (smallest, metres);
   endfor
-  error ("toolchain:scene:equilibrium", ["no equilibrium was found in %d steps: the last one moved a point by %.2g m; place" ...
-                             " the bodies nearer to it, or take smaller loads\n"], most, share*metres);
+  error ("toolchain:scene:equilibrium", ["no equilibrium was found in 300 steps: the last one moved a point by %.2g m; place" ...
+                             " the bodies nearer to it, or take smaller loads\n"], share*metres);
 endfunction
 
 ## of a step: until the forces along it turn back

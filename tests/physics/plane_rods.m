@@ -25,6 +25,13 @@ endfunction
 %! f = system.fields (0, z, z, z, xi);
 %! assert ([f.alpha1, f.alpha2], [sin(2*pi*xi), 1 - cos(2*pi*xi)]/(2*pi), 1e-8);
 
+%!test # under 4 pi E I/l it lies on its circle twice
+%! scene = rmfield (plane_rods ({"clamped", "free"}, [0 0]), "model");
+%! scene.rod.EA = 1e5;
+%! evalc ("rest = statics (setfield (scene, 'tip_moment', 4*pi), 'output', '');");
+%! angle = 4*pi*linspace (0, 1, 41).';
+%! assert (rest.shape{1}(:,1:2), [sin(angle), 1 - cos(angle)]/(4*pi), 1e-8);
+
 %!function [along, across] = elastica (force)   # of a cantilever, Bisshopp and Drucker, Quart. Appl. Math. 3, 1945
 %!  F = @(k, phi) quadgk (@(x) 1./sqrt (1 - k^2*sin (x).^2), phi, pi/2, "RelTol", 1e-13);
 %!  E = @(k, phi) quadgk (@(x) sqrt (1 - k^2*sin (x).^2), phi, pi/2, "RelTol", 1e-13);
