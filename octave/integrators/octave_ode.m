@@ -42,4 +42,7 @@ endfunction
 %! system = struct ("mass", 1, "stiffness", 0, "duration", 2, "calls", @() 0);
 %! said = "integrate_adaptive: Solving was not successful.  The loop exited at time t = 0.001600 before the endpoint";
 %! octave_ode (@(varargin) error (said), system, @(t, y) y, [0 2], 1, odeset (), 6, 1e-6);
+%!error <ode45 stopped at t = 0.83\d* s of 2 s> # y = 1/(1 - t)
+%! system = struct ("mass", 1, "stiffness", 0, "duration", 2, "calls", @() 0);
+%! octave_ode (@ode45, system, @(t, y) y^2, [0 0.5 2], 1, odeset ("AbsTol", 1e-6), 6, 1e-6);
 %!error <another fault> octave_ode (@(varargin) error ("another fault"), struct ("calls", @() 0), [], [0 1], 1, [], 6, 1);

@@ -18,7 +18,7 @@ function stop_integration (method, system, t, last_time, h, what, remedy)
   else
     text = sprintf ("%sa step of %.2g s times the highest frequency, %.4g rad/s, is %.3g", text, h, omega, h*omega);
   endif
-  if (isfinite (limit))
+  if (isfinite (limit) && omega > 0)
     text = sprintf ("%s where the method is stable below %.4g", text, limit);
     remedy = sprintf ("steps below %.2g s, %s", limit/omega, remedy);
   endif

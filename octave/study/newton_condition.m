@@ -20,7 +20,7 @@ function rows = newton_condition (system, start, steps)
   endfor
 endfunction
 
-%!test # one mass on one constraint: [4/h^2 1; 1 0] and [1 1; 1 0]
-%! system = struct ("stiffness", 0, "at", @(t, q, v) 0, "matrices", @(at) deal (1, 1));
-%! rows = newton_condition (system, struct ("q", 0, "v", 0), 0.02);
+%!test # two masses, one of them held: [4/h^2 1; 1 0] and [1 1; 1 0] beside what the other has alone
+%! system = struct ("stiffness", 0, "at", @(t, q, v) 0, "matrices", @(at) deal (eye (2), [1 0]));
+%! rows = newton_condition (system, struct ("q", [0; 0], "v", [0; 0]), 0.02);
 %! assert ([rows{:,4}], [1e8, (3 + sqrt(5))/2], -1e-6);
