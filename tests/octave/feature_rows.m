@@ -40,7 +40,7 @@ function rows = feature_rows ()
       {"one rod has none", "one rod has none", "", "one rod has none"}
     "prescribed rotation", {"rotation", at_rest}, angle, ...
       {"rotation", at_rest, "ends", {"clamped", "free"}}, as_body_if_curved
-    "prescribed place", {"place", place.value}, place, {"place", place.value}, as_body
+    "prescribed place", {"place", place.value}, place, {"place", place.value, "ends", {"hinge", "free"}}, as_body
     "start deformed", {"initial.V2", 1e-3}, {"initial.V2", 1e-3}, {"initial.shape", @(xi) [xi; xi.^2]}, none
     "foreshortening", {"model.stiffening", "foreshortening"}, {"model.stiffening", "foreshortening"}, ...
       {"model.stiffening", "foreshortening"}, {"", "", "", "always: displacements are large"}

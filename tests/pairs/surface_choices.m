@@ -38,6 +38,8 @@ function [base, choices] = surface_choices ()
     "joints", "a spring, a force and a moment", {"joints", joints()}
     "hub", "none", {}
     "hub", "turns", {"rotation", @(t) [t^2, 2*t, 2]}
+    "place", "stays", {}
+    "place", "moves", {"place", @(t) [t^2, 0.1*t^2; 2*t, 0.2*t; 2, 0.2]}
     "axis", "straight", {}
     "axis", "an arc", {"rod.curvature", 0.5}
     "axis", "a function", {"rod.curvature", @(xi) sin(9*xi)}
@@ -57,9 +59,9 @@ function [base, choices] = surface_choices ()
     "strain", "engineering", {"model.strain", "engineering"}
     "rotary inertia", "none", {}
     "rotary inertia", "some", {"rod.rhoI", 1e-6}
-    "place", "along", {}
-    "place", "aslant", {"initial.angle", 0.6}
-    "place", "a shape", @(scene) shaped(scene)
+    "laid", "along", {}
+    "laid", "aslant", {"initial.angle", 0.6}
+    "laid", "a shape", @(scene) shaped(scene)
     "velocity", "rest", {}
     "velocity", "some", {"initial.velocity", @(xi, alpha) 0.5 + 0*alpha}
     "modes", "4 + 4", {}

@@ -44,15 +44,22 @@ function scene = check_surface_scene (given)
     "tip_moment", scene.tip_moment, 1, "a number in N m",                  [], false
     "force",      scene.force,      3, "3 numbers, F_x, F_y and F_z in N", [], false
     "rotation",   scene.rotation,   3, "3 numbers, theta, theta_dot and theta_ddot in rad, rad/s, rad/s^2", [1 2], false
+    "place",      scene.place,      6, "6 numbers, a row each for coordinates and their two rates", [1 2 4 5], false
   });
   if (! isempty (scene.rotation))
     refuse_unturned (scene);
+  endif
+  if (! isempty (scene.place))
+    refuse_unmoved (scene);
   endif
   [scene.joints, of_joints] = joints_on_surface (scene);
   [scene.moment_breaks, scene.probed] = load_breaks ([loads, of_joints], scene.moment_breaks, scene);
   if (! isempty (scene.rotation))
     refuse_wrong_rates (scene.rotation, scene.duration);
-    refuse_moving (scene);
+    refuse_moving (scene, "rotation", 2:3);
+  endif
+  if (! isempty (scene.place))
+    refuse_moving (scene, "place", [2 3 5 6]);
   endif
 endfunction
 
@@ -67,10 +74,21 @@ function refuse_unturned (scene)
   endif
 endfunction
 
-function refuse_moving (scene)
-  if (strcmp (scene.initial.from, "equilibrium") && any (scene.rotation (0)(2:3)))
-    scene_error (["initial is \"equilibrium\" and the rotation has a rate or an acceleration at t = 0: it" ...
-                 " takes one that begins from rest"]);
+## where moving its coordinates moves a rod as a whole
+function refuse_unmoved (scene)
+  surface_functions (scene.surface);
+  if (! any (strcmp (scene.surface.name, {"plane", "cylinder"})))
+    scene_error (["place and the surface \"%s\" are both given: it moves the chart along itself, which moves a rod as a" ...
+                  " whole on a \"plane\" or a \"cylinder\""], scene.surface.name);
+  elseif (all (strcmp (scene.ends, "free")))
+    scene_error ("place is given and no end is held: ends = {\"hinge\", \"free\"} say which it moves");
+  endif
+endfunction
+
+function refuse_moving (scene, name, rates)
+  if (strcmp (scene.initial.from, "equilibrium") && any (scene.(name) (0)(rates)))
+    scene_error (["initial is \"equilibrium\" and the %s has a rate or an acceleration at t = 0: it" ...
+                 " takes one that begins from rest"], name);
   endif
 endfunction
 
@@ -125,6 +143,16 @@ endfunction
 %!error <rotation gives 3 at t = 0: it takes 3 numbers>
 %! scene = setfield (setfield (smallest (), "ends", {"clamped", "free"}), "rotation", @(t) 3);
 %! check_surface_scene (setfield (scene, "initial", "equilibrium"));
+%!error <place and the surface "sphere" are both given>
+%! check_surface_scene (setfield (smallest (), "place", @(t) zeros (3, 2)));
+%!error <place is given and no end is held>
+%! scene = setfield (smallest (), "surface", struct ("name", "cylinder", "radius", 1));
+%! check_surface_scene (setfield (scene, "place", @(t) zeros (3, 2)));
+%!error <place jumps from 0 to 1 at t = 0.5, its number 1: no force can make a prescribed place>
+%! scene = on_level_plane ("place", @(t) [t>=0.5, 0; 0 0; 0 0]);
+%! check_surface_scene (scene);
+%!error <the place has a rate or an acceleration at t = 0>
+%! check_surface_scene (on_level_plane ("place", @(t) [t 0; 1 0; 0 0], "initial", "equilibrium"));
 %!error <the rotation has a rate or an acceleration at t = 0>
 %! scene = setfield (setfield (smallest (), "ends", {"clamped", "free"}), "rotation", @(t) [t 1 0]);
 %! check_surface_scene (setfield (scene, "initial", "equilibrium"));

@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{power} =} surface_power (@var{system}, @var{t}, @var{z}, @var{z_dot}, @var{z_ddot})
-## What the loads on a rod on a surface (see @code{surface_rod}), and a hub that turns it, do, and what dampers and the
+## What the loads on a rod on a surface (see @code{surface_rod}), and what turns or moves its chart, do, and what dampers and the
 ## material dissipate, at the m times @var{t} and states: 2-by-m, W.
 ## @end deftypefn
 
@@ -17,7 +17,7 @@ function power = surface_power (system, t, z, z_dot, z_ddot)
   power = [sum(z_dot.*loads, 1); dissipated];
   if (! isempty (turn))
     [~, of_hub] = surface_residual (system, t, z, z_dot, z_ddot);
-    power(1,:) += turn(2,:).*(torque + of_hub);
+    power(1,:) += sum (turn(2:3:end,:).*(torque + of_hub), 1);
   endif
 endfunction
 

@@ -8,8 +8,8 @@
 ## residual (t, z, z_dot, z_ddot; see @code{surface_residual}), power (t, z, z_dot, z_ddot; see @code{surface_power}),
 ## mass_matrix (z), tangent_stiffness and tangent_damping (t, z, z_dot, z_ddot; n-by-n-by-m), damped, rate, energies
 ## (t, z, z_dot; see @code{surface_energies}), refuse_singular (z, when), size (z), the largest displacement (m) that
-## goes with a small change of z, turn (t, z) of a hub (3-by-m; see @code{turned_fields}), stopped () = the system
-## whose hub stands still where it is at the time, fields (t, z, z_dot, z_ddot, stations) = place, as the surface's
+## goes with a small change of z, turn (t, z) of what moves the chart (see @code{turned_fields}), stopped () = the
+## system in which that stands still where it is at the time, fields (t, z, z_dot, z_ddot, stations) = place, as the surface's
 ## functions take it, at stations of the rod, surface, rod and gravity (likewise), points and weights (p-by-1, m, of
 ## the quadrature), parts (what has mass: base, with its weights, and rod, of the rod and of a tip mass, a rod at one
 ## place without stiffness), loads and springs (see @code{held_on_surface}), breaks, state_scale, mass, stiffness
@@ -69,7 +69,7 @@ function system = turned_by (system, base_at, turn)
 endfunction
 
 function turn = without_rates (turn)
-  turn(2:end,:) = 0;
+  turn(mod (1:rows (turn), 3) != 1,:) = 0;
 endfunction
 
 function y_dot = rate (t, y, interval, system)
@@ -85,11 +85,17 @@ function y_dot = rate (t, y, interval, system)
   y_dot = [z_dot; z_ddot; system.power(t, z, z_dot, z_ddot)];
 endfunction
 
-## angle and rates of a chart that turns, 3-by-m; empty where none does
+## what moves the chart, and its rates, 3-by-m where it only turns, or 9-by-m; empty where nothing does
 function turn = turning_of (scene)
   turn = @(t, z) [];
-  if (! isempty (scene.rotation))
-    rotation = watched_load ("rotation", scene.rotation);
+  rotation = watched_load ("rotation", scene.rotation);
+  place = watched_load ("place", scene.place);
+  if (! isempty (place))
+    if (isempty (rotation))
+      rotation = zeros (3, 1);
+    endif
+    turn = @(t, z) repmat ([at_times(rotation, t); at_times(place, t)], 1, columns (z)/numel (t));
+  elseif (! isempty (rotation))
     turn = @(t, z) repmat (at_times (rotation, t), 1, columns (z)/numel (t));
   endif
 endfunction

@@ -6,17 +6,18 @@
 ## Loads are a moment at the rod's start and one at its end, about the surface's normal, and a force, fixed in space,
 ## at its end or at force_station; joints are more of them, and springs from places in space (see @code{joint_kinds}:
 ## forces and points have three numbers).  The section is a rectangle of width along the surface's normal by twice
-## half_height, of a material, or what EA, EI, rhoA state, with EI_normal (EI), GJ (0), rhoI (0).  The rotation of a
-## hub turns the chart of the rod, with its clamped end, about the chart's origin: on a plane, about its normal, and on
-## a sphere, about the vertical axis.  Rotary inertia rhoI, per length, is that about the surface's normal; damping is
-## Kelvin's and Voigt's time.  The rod starts undeformed, a straight one on a geodesic, one with curvature bent in the
-## tangent plane, from initial.point at initial.angle from the chart's first direction to its second, unless
-## initial.shape gives its place.  The first of the ends is that of xi = 0.  On a surface with a side the rod lies on
-## that side of it (1: where the normal points, -1: the other), 0: it cannot leave it.  The chart's coordinates along
-## the rod are model.modes polynomials and model.sines sines beside the start.  The axial force is EA times model.strain:
-## Green's, (5), half the change of the square of the stretch, or the engineering strain, the stretch less 1, which
-## Reissner's geometrically exact rod has.  A pixel's tolerance is half of one, where the rod fills the frame's smaller
-## side.
+## half_height, of a material, or what EA, EI, rhoA state, with EI_normal (EI), GJ (0), rhoI (0).  The rotation of a hub
+## turns the chart of the rod, with its clamped end, about the chart's origin: on a plane, about its normal, and on a
+## sphere, about the vertical axis.  The place moves the end that is held, and the chart with it, by so much of the
+## chart's coordinates from initial.point, with two rates, on a plane or a cylinder; initial.velocity is against it.
+## Rotary inertia rhoI, per length, is that about the surface's normal; damping is Kelvin's and Voigt's time.  The rod
+## starts undeformed, a straight one on a geodesic, one with curvature bent in the tangent plane, from initial.point at
+## initial.angle from the chart's first direction to its second, unless initial.shape gives its place.  The first of the
+## ends is that of xi = 0.  On a surface with a side the rod lies on that side of it (1: where the normal points, -1:
+## the other), 0: it cannot leave it.  The chart's coordinates along the rod are model.modes polynomials and model.sines
+## sines beside the start.  The axial force is EA times model.strain: Green's, (5), half the change of the square of the
+## stretch, or the engineering strain, the stretch less 1, which Reissner's geometrically exact rod has.  A pixel's
+## tolerance is half of one, where the rod fills the frame's smaller side.
 ## @end deftypefn
 
 function fields = surface_scene_fields ()
@@ -32,7 +33,9 @@ function fields = surface_scene_fields ()
     of("moment")
     {"tip_moment",          0,                  "number or function of t in N m"
      "force",               [0 0 0],            "three numbers or function of t in N"}
-    of("force_station", "rotation", "joints", "moment_breaks", "initial.from")
+    of("force_station", "rotation")
+    {"place",               [],                 "function of t that returns [x y; x_dot y_dot; x_ddot y_ddot]"}
+    of("joints", "moment_breaks", "initial.from")
     {"initial.point",       [0 0],              "vector of two coordinates of the chart"
      "initial.angle",       0,                  "number in rad"
      "initial.shape",       [],                 "function of xi that returns the chart's coordinates, 2-by-m"

@@ -20,6 +20,7 @@ function [R, torque] = surface_support (system, times, states)
     R += cell2mat (cellfun (@(d) part.base.weights.'*d, density.', "uniformoutput", false));
   endfor
   [~, torque] = system.residual (times, z, z_dot, z_ddot);
+  torque = torque(1,:);
 endfunction
 
 %!test # a hinged rod that turns steadily on the level plane, as stretched as that holds it: all three forces

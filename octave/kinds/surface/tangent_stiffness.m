@@ -80,7 +80,7 @@ endfunction
 %!   [~, nearest] = min (abs (omega - exact));
 %!   assert (omega(nearest), exact, 1e-10*exact);
 %! endfor
-%!test # it is the derivative of the whole residual, of all that acts, on every chart, in a hub and in motion
+%!test # it is the derivative of the whole residual, of all that acts, on every chart, in a hub and where that moves
 %! spring = struct ("kind", "spring", "stations", {0.7, 2}, "point", {[1 2 3], [4 1 1]}, "stiffness", 4, "damping", 0.3);
 %! for surface = {struct("name", "plane", "inclination", 0.7), struct("name", "sphere", "radius", 2)}
 %!   for rotation = {{}, {"rotation", @(t) [0.3*t^2 + t, 0.6*t + 1, 0.6]}}
