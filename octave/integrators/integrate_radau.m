@@ -130,3 +130,9 @@ endfunction
 %! system.mechanism.loads = struct ("value", @(t) 1/(t < 0.4) - 1/(t < 0.4), "parts", 3, "first", 1, "second", 2);
 %! scene = struct ("duration", 1, "breaks", []);
 %! integrate_radau (mechanism_system (scene, system.mechanism), [0 1], start, struct ("tolerance", 1e-6));
+%!error <asked for its step> # a run that leads says it
+%! [system, start] = sample_pendulum ();
+%! system.mechanism.loads = [];
+%! system = mechanism_system (struct ("duration", 1, "breaks", []), system.mechanism);
+%! [system.led, system.led_step] = deal (@(t, y) 0, @(tolerance) error ("asked for its step"));
+%! integrate_radau (system, [0 1], start, struct ("tolerance", 1e-6));

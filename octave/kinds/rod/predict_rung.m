@@ -56,3 +56,7 @@ endfunction
 %! assert (rung.stiffening, "foreshortening");
 %! scene.solver.tolerance = 0.1;
 %! assert ({predict_rung(scene).bending, predict_rung(scene).stiffening}, {0, "none"});
+%!test # one that swings slowly stretches as it would at rest
+%! scene.rod = struct ("length", 1, "EA", 1e4, "EI", 100, "rhoA", 1, "half_height", 0.01);
+%! [scene.duration, scene.solver.tolerance] = deal (1, 1e-4);
+%! assert (predict_rung (check_scene (scene)).axial, "quasistatic");

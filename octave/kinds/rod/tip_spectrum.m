@@ -74,3 +74,7 @@ endfunction
 %!test # a rigid rod has none
 %! [scene, model] = sample_rod ([0 0]);
 %! assert (tip_spectrum (scene, struct ("model", model)), []);
+%!test # nor has one whose motion cannot be integrated once more
+%! [scene, model] = sample_rod ([0 2]);
+%! scene.moment = @(t) NaN*t;
+%! assert (tip_spectrum (scene, struct ("model", model)), []);

@@ -45,3 +45,8 @@ endfunction
 %! scene.joints = scene.joints([]);
 %! short = surface_rod (setfield (scene, "rod", "length", 0.5));
 %! assert (short.state_scale(end), 2*0.5*9.81 + 0.1/0.5^2, 1e-12);
+%!test # and each coordinate by what moves no point by more than a metre, but one
+%! system = surface_rod (swinging ());
+%! moved = @(k) system.size (system.state_scale(k)*((1:system.n).' == k));
+%! assert (arrayfun (moved, 1:system.n), ones (1, system.n), 1e-12);
+%! assert (system.state_scale(system.n + (1:system.n)), system.state_scale(1:system.n)/1, 1e-12);
