@@ -53,7 +53,7 @@ function [base, choices] = surface_choices ()
     "gravity", "none", {"gravity", 0}
     "stiffness", "one", {}
     "stiffness", "three", {"rod.EI_normal", 0.01, "rod.GJ", 0.01}
-    "stiffness", "a material's", {"rod", struct("length", 0.4, "width", 0.01, "half_height", 0.005, ...
+    "stiffness", "a material's", {"rod", struct("length", 0.4, "width", 0.01, "half_height", 0.011, ...
                                                "lambda", 1e6, "mu", 1e6, "density", 1000)}
     "strain", "Green's", {}
     "strain", "engineering", {"model.strain", "engineering"}
