@@ -46,6 +46,7 @@ endfunction
 %! said = @(reaction, tip, strain) surface_warnings (scene, struct ("t", [0 1 2], "reaction", reaction, ...
 %!   "tip_reaction", tip), struct ("limit", 0.05, "reached", strain));
 %! assert (said ([1 1 1; 2 -1e-7 1], zeros (0, 3), 0.05), {});
+%! assert (said ([0 0 0], zeros (0, 3), 0.05), {});
 %! assert (! isempty (strfind (said ([1 1 1], [1 -3 2], 0){1}, "pull the tip mass, by up to 3 N at t = 1 s")));
 %! assert (said ([1 1 1], [1 -1e-9 1]*1e-8, 0), {});
 %! assert (! isempty (strfind (said ([1 -2 1; 2 1 -3], zeros (0, 3), 0){1}, "from t = 1 s on, by up to 3 N/m at t = 2 s:")));
