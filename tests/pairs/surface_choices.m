@@ -7,8 +7,8 @@ function [base, choices] = surface_choices ()
   base.surface = struct ("name", "plane", "inclination", 1);
   base.rod = struct ("length", 0.4, "EA", 100, "EI", 0.02, "rhoA", 0.2);
   base.model.modes = [4 4];
-  base.duration = 0.02;
-  base.frames_per_second = 100;
+  base.duration = 0.002;  # explicit methods take short steps where many polynomials are chosen
+  base.frames_per_second = 1000;
   base.solver.tolerance = 1e-3;
   choices = {
     "surface", "plane", {}
@@ -46,7 +46,7 @@ function [base, choices] = surface_choices ()
     "damping", "none", {}
     "damping", "some", {"rod.damping", 1e-3}
     "moment", "none", {}
-    "moment", "pulse", {"moment", @(t) 0.05*(t < 0.01), "moment_breaks", 0.01}
+    "moment", "pulse", {"moment", @(t) 0.05*(t < 0.001), "moment_breaks", 0.001}
     "tip moment", "none", {}
     "tip moment", "constant", {"tip_moment", 0.05}
     "gravity", "earth's", {}
