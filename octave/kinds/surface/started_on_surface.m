@@ -50,3 +50,10 @@ endfunction
 %! moved = @(k) system.size (system.state_scale(k)*((1:system.n).' == k));
 %! assert (arrayfun (moved, 1:system.n), ones (1, system.n), 1e-12);
 %! assert (system.state_scale(system.n + (1:system.n)), system.state_scale(1:system.n)/1, 1e-12);
+%!test # its stiffness is that under the loads at the start
+%! scene = struct ("surface", struct ("name", "sphere", "radius", 1), "duration", 1, "force", @(t) [0 0 50*t], ...
+%!                 "rod", struct ("length", 1, "EA", 100, "EI", 0.1, "rhoA", 2), "model", struct ("modes", [4 4]));
+%! system = surface_rod (check_surface_scene (scene));
+%! z = system.initial_state(1:system.n);
+%! assert (system.stiffness, system.tangent_stiffness (0, z, 0*z, z), 1e-12);
+%! assert (norm (system.stiffness - system.tangent_stiffness (1, z, 0*z, z)) > 1);
