@@ -13,7 +13,7 @@ function [outcome, message] = try_scene (scene)
   catch err
     message = strtrim (err.message);
     switch (err.identifier)
-      case "toolchain:scene"
+      case {"toolchain:scene", "toolchain:scene:equilibrium"}
         outcome = "refused";
       case "toolchain:integration"
         outcome = "stopped";
