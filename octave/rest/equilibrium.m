@@ -31,8 +31,9 @@ function [q, lambda, linear] = equilibrium (balance, t, q = balance.start)
     endif
     smallest = min (smallest, metres);
   endfor
-  error ("toolchain:scene:equilibrium", ["no equilibrium was found in 300 steps: the last one moved a point by %.2g m; place" ...
-                             " the bodies nearer to it, or take smaller loads\n"], share*metres);
+  error ("toolchain:scene:equilibrium", ["no equilibrium was found in 300 steps: the last one moved a point by" ...
+                                         " %.2g m; place the bodies nearer to it, or take smaller loads\n"], ...
+         share*metres);
 endfunction
 
 ## of a step: until the forces along it turn back

@@ -17,17 +17,19 @@ function run = far_richer (result, seconds = 60)
     return;
   endif
   scene.solver.tolerance /= 20;
-  [pieces, points] = kind.divided (sharper);
   like = result;
   if (isfield (result.model, "rung"))
     ladder = ladder_of (kind, scene);
     like = ladder.trial (ladder.richer (result.model.rung), []);
   endif
   dropped = kind.dropped (scene, like, like);
-  if (! isempty (pieces) && ! isempty (dropped) && dropped.bound > scene.solver.tolerance)
-    evalc ("run = run_model (kind, pieces, chosen_model (kind, pieces));");
-    [run.x, run.y] = deal (run.x(points,:), run.y(points,:));
-    return;
+  if (! isempty (dropped) && dropped.bound > scene.solver.tolerance)
+    [pieces, points] = kind.divided (sharper);
+    if (! isempty (pieces))
+      evalc ("run = run_model (kind, pieces, chosen_model (kind, pieces));");
+      [run.x, run.y] = deal (run.x(points,:), run.y(points,:));
+      return;
+    endif
   endif
   run = richest_run (kind, result.scene, result.model);
   if (! isempty (dropped))

@@ -12,8 +12,8 @@ function [outcome, message] = try_scene (scene)
     [outcome, message] = judge (scene, result, last_warning ());
   catch err
     message = strtrim (err.message);
-    switch (err.identifier)
-      case {"toolchain:scene", "toolchain:scene:equilibrium"}
+    switch (regexprep (err.identifier, '^(toolchain:\w+):.*', '$1'))
+      case "toolchain:scene"
         outcome = "refused";
       case "toolchain:integration"
         outcome = "stopped";

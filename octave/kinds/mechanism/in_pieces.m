@@ -113,15 +113,6 @@ endfunction
 %! pieces = driver (scene, "output", "", "pieces", 4);
 %! assert (pieces.history.bodies(4).tip_y, whole.history.tip_y, 1e-8);
 %! assert (range (whole.history.tip_y) > 1);
-%!test # a cantilever under P l^2/EI = 1 bends by 0.30172 l (Bisshopp and Drucker 1945), the nearer to it the more pieces
-%! scene.rod = struct ("length", 2, "EA", 2e9, "EI", 2e6, "rhoA", 80, "half_height", 0.05);
-%! [scene.rotation, scene.force, scene.gravity, scene.duration] = deal (@(t) [0 0 0], [0 -5e5], 0, 1);
-%! scene.model.energy = "uniaxial";
-%! for count = [1 4]
-%!   evalc ("rest = statics (scene, 'output', '', 'pieces', count);");
-%!   off(count) = -rest.shape{end}(end,2)/2 - 0.30172;
-%! endfor
-%! assert (off(4), 0, 3e-3); assert (abs (off(1)) > 8*abs (off(4)));
 %!error <pieces is 2.5000: it takes whole number from 1 to 50, pieces of each straight rod>
 %! check_mechanism (setfield (two_rods (), "pieces", 2.5));
 %!error <pieces is 51: it takes whole number> check_mechanism (setfield (two_rods (), "pieces", 51));

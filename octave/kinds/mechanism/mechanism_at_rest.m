@@ -34,7 +34,7 @@
 ## @item jacobian (q)
 ## Phi_q (multipliers-by-n)
 ## @item interpolation
-## what the coordinates move at 41 places of each body, along and across it, and its angle and place (a matrix)
+## what the coordinates move (see @code{points_of_coordinates}), at 41 places of each body
 ## @item most
 ## the largest number of base functions that is of use
 ## @item bodies
@@ -59,14 +59,10 @@ function balance = mechanism_at_rest (scene, mechanism)
   balance.moving = @(t, q, v, a, lambda) moving (system, t, q, v, a, lambda);
   balance.jacobian = @(q) jacobian_at (system, q);
   balance.most = 32;
-  balance.interpolation = [];
+  balance.interpolation = full (points_of_coordinates (mechanism, 41));
   for k = 1:numel (mechanism.models)
     balance.bodies{k} = index_of (mechanism, k);
     balance.names{k} = scene.bodies(k).name;
-    base = mechanism.models{k}.base;
-    [along, across] = functions_at (base, linspace (0, mechanism.models{k}.length, 41));
-    balance.interpolation = [balance.interpolation; zeros(85, balance.n)];
-    balance.interpolation(end-84:end,balance.bodies{k}) = blkdiag ([along; across], eye (3));
   endfor
 endfunction
 

@@ -13,7 +13,7 @@ function kind = mechanism_kind ()
   kind.stated = @stated_rung;
   kind.ladder = @mechanism_ladder;
   kind.far_richer = @far_richer_rung;
-  kind.divided = @divided;
+  kind.divided = @divided_scene;
   kind.build = @(scene, rung) build_mechanism (scene, mechanism_rungs (scene, rung.bending, rung.longitudinal));
   kind.system = @assembled_system;
   kind.led_by = @led_by_run;
@@ -94,25 +94,6 @@ function rung = far_richer_rung (scene, mechanism)
   endfor
 endfunction
 
-## in five pieces, whose points are five times as many
-function [scene, points] = divided (scene)
-  points = [];
-  count = 0;
-  for body = scene.bodies
-    own = 1:11;  # stations, see mechanism_points
-    if (isempty (body.rod.curvature))
-      own = [1, (6:5:51) + floor((0:9)/2)];
-    endif
-    points = [points, count + own];
-    count += own(end);
-  endfor
-  if (numel (points) == count)
-    scene = points = [];  # all are curved
-  else
-    scene = in_pieces (scene, 5);
-  endif
-endfunction
-
 ## with the derivatives of the constraints by the coordinates at the start (constraints-by-n)
 function run = observe_mechanism (scene, model, system, times, states)
   history = measure_mechanism (system, times, named_rows (system, states));
@@ -155,14 +136,3 @@ endfunction
 %! assert (kind.stated (scene), struct ("bending", [0 0 0], "longitudinal", [0 0 0]));
 %! assert (cellfun (@(model) model.rung.bending, kind.sized (scene, 3).models) >= 3, true (1, 3));
 %! assert (kind.has (struct ("joints", 1)));
-%!test # in pieces, of which these points are its own
-%! scene = chain (2);
-%! [scene.bodies{1}.model.modes, scene.bodies{2}.model.modes, scene.duration] = deal ([0 0], [0 0], 0.04);
-%! scene.bodies{2}.rod.curvature = 0.1;
-%! kind = mechanism_kind ();
-%! scene = kind.check (scene);
-%! [pieces, points] = kind.divided (scene);
-%! assert (numel (pieces.bodies), 6); assert (numel (points), 22);
-%! of = @(scene) run_model (kind, scene, kind.build (scene, kind.stated (scene)));
-%! [whole, divided] = deal (of (scene), of (pieces));
-%! assert ([divided.x(points,:), divided.y(points,:)], [whole.x, whole.y], 1e-6);

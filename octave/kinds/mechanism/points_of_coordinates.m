@@ -1,22 +1,22 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{points} =} points_of_coordinates (@var{mechanism})
+## @deftypefn {} {@var{points} =} points_of_coordinates (@var{mechanism}, @var{stations})
 ## How far changes of the coordinates of a @var{mechanism} move points of its bodies (m), as its bodies are made: a
-## sparse m-by-n matrix, of each body x, y, its angle at the tip's distance and 11 stations' displacements along and
-## across it. Sines and corrections for the ends, each of them large, may leave every point where it is.
+## sparse m-by-n matrix, of each body x, y, its angle at the tip's distance and the displacements of so many stations
+## (11) along and across it. Sines and corrections for the ends, each of them large, may leave every point where it is.
 ## @end deftypefn
 
-function points = points_of_coordinates (mechanism)
+function points = points_of_coordinates (mechanism, stations = 11)
   row = column = value = {};
   count = 0;
   for group = mechanism.groups
     model = group.model;
-    [along, across] = functions_at (model.base, linspace (0, model.length, 11));
+    [along, across] = functions_at (model.base, linspace (0, model.length, stations));
     [i, j, metres] = find (blkdiag ([along; across], model.length, 1, 1));
     for index = group.index
       row{end+1} = count + i;
       column{end+1} = index(j)(:);
       value{end+1} = metres;
-      count += 25;
+      count += 2*stations + 3;
     endfor
   endfor
   points = sparse (vertcat (row{:}), vertcat (column{:}), vertcat (value{:}), count, mechanism.n);

@@ -46,12 +46,7 @@ function scene = check_surface_scene (given)
     "rotation",   scene.rotation,   3, "3 numbers, theta, theta_dot and theta_ddot in rad, rad/s, rad/s^2", [1 2], false
     "place",      scene.place,      6, "6 numbers, a row each for coordinates and their two rates", [1 2 4 5], false
   });
-  if (! isempty (scene.rotation))
-    refuse_unturned (scene);
-  endif
-  if (! isempty (scene.place))
-    refuse_unmoved (scene);
-  endif
+  refuse_chart_motion (scene);
   [scene.joints, of_joints] = joints_on_surface (scene);
   [scene.moment_breaks, scene.probed] = load_breaks ([loads, of_joints], scene.moment_breaks, scene);
   if (! isempty (scene.rotation))
@@ -60,28 +55,6 @@ function scene = check_surface_scene (given)
   endif
   if (! isempty (scene.place))
     refuse_moving (scene, "place", [2 3 5 6]);
-  endif
-endfunction
-
-## where turning its coordinates moves a rod as a whole, and what holds the rod in the chart
-function refuse_unturned (scene)
-  surface_functions (scene.surface);  # it has a name
-  if (! any (strcmp (scene.surface.name, {"plane", "sphere"})))
-    scene_error (["rotation and the surface \"%s\" are both given: a hub turns the chart about its origin, which is" ...
-                  " a rotation of a \"plane\" or a \"sphere\""], scene.surface.name);
-  elseif (! any (strcmp (scene.ends, "clamped")))
-    scene_error ("rotation is given and no end is \"clamped\": a hub holds an end, ends = {\"clamped\", \"free\"} say");
-  endif
-endfunction
-
-## where moving its coordinates moves a rod as a whole
-function refuse_unmoved (scene)
-  surface_functions (scene.surface);
-  if (! any (strcmp (scene.surface.name, {"plane", "cylinder"})))
-    scene_error (["place and the surface \"%s\" are both given: it moves the chart along itself, which moves a rod as a" ...
-                  " whole on a \"plane\" or a \"cylinder\""], scene.surface.name);
-  elseif (all (strcmp (scene.ends, "free")))
-    scene_error ("place is given and no end is held: ends = {\"hinge\", \"free\"} say which it moves");
   endif
 endfunction
 

@@ -82,11 +82,12 @@ endfunction
 %! endfor
 %!test # it is the derivative of the whole residual, of all that acts, on every chart, in a hub and where that moves
 %! spring = struct ("kind", "spring", "stations", {0.7, 2}, "point", {[1 2 3], [4 1 1]}, "stiffness", 4, "damping", 0.3);
+%! hub = {"rotation", @(t) [0.3*t^2 + t, 0.6*t + 1, 0.6]};
+%! moving = [hub, {"place", @(t) [t^2, t; 2*t, 1; 2, 0]}];
 %! for surface = {struct("name", "plane", "inclination", 0.7), struct("name", "sphere", "radius", 2)}
-%!   for rotation = {{}, {"rotation", @(t) [0.3*t^2 + t, 0.6*t + 1, 0.6]}}
-%!     rotation = rotation{1};
+%!   for motion = {{}, hub, moving}(1:2 + strcmp (surface{1}.name, "plane"))
 %!     scene = on_level_plane ("surface", surface{1}, "ends", {{"clamped", "free"}}, "tip_mass", 0.3, "moment", 2, ...
-%!                             "force", @(t) [t 1 0], "joints", {num2cell(spring)}, rotation{:});
+%!                             "force", @(t) [t 1 0], "joints", {num2cell(spring)}, motion{1}{:});
 %!     [scene.rod.rhoI, scene.rod.damping] = deal (0.4, 0.02);
 %!     system = surface_rod (check_surface_scene (scene));
 %!     [z, v, a] = deal (0.1*sin ((1:system.n).'*[1 2]), cos ((1:system.n).'*[3 1]), sin ((1:system.n).'*[4 5]));
