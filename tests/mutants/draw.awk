@@ -1,5 +1,5 @@
-# gawk -v count=N -v seed=S -f draw.awk FILES: so many mutations, drawn at random from all places where one can be made.
-# A line each: file, number of the line, what it was, what it becomes, with tabs between them.
+# gawk -f draw.awk FILES: all mutations that can be made, a line each: file, what its line was, what it becomes, the
+# line's number, with tabs between them.
 #
 # Comments, strings, tests and regular expressions stay as they are. A mutation takes another operator, adds 1 to a
 # number or an index (more to one above 9), or drops a statement.
@@ -25,15 +25,6 @@ FNR == 1 {
   find_operators(code)
   find_numbers(code)
   if (code ~ statement()) add(gensub(/[^ ].*/, dropped(), 1))
-}
-
-END {
-  srand(seed)
-  for (k = 0; k < count && k < sites; k++) {
-    i = k + int(rand() * (sites - k))
-    print site[i]
-    site[i] = site[k]
-  }
 }
 
 # the line with blanks for strings and comments; of Maxima's, comments may go on
@@ -105,5 +96,5 @@ function replace(at, size, by) {
 }
 
 function add(line) {
-  if (line != $0) site[sites++] = FILENAME "\t" FNR "\t" $0 "\t" line
+  if (line != $0) print FILENAME "\t" $0 "\t" line "\t" FNR
 }
