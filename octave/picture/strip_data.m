@@ -54,6 +54,11 @@ endfunction
 %! drawing.time = 1 + (0:4)*1e-3;
 %! step = regexp (strip_data (drawing), 't_step = (\S+)', "tokens"){1}{1};
 %! assert (str2double (step) >= 0.001);
+%!test # steps of four characters have room, longer ones are fewer
+%! for step = [0.05 0.005]
+%!   drawing = setfield (sample_drawing (5), "time", (0:4)*step);
+%!   assert (! isempty (strfind (strip_data (drawing), sprintf ("t_step = %g", step))) == (step == 0.05));
+%! endfor
 %!test # names are said once
 %! drawing = sample_bodies (3);
 %! drawing.strips(2) = setfield (drawing.strips, "label", "again");

@@ -51,3 +51,7 @@ endfunction
 %! scene = check_scene (setfield (paper (), "initial", "V1", ones (1, 31)));
 %! rung = struct ("sines", [], "bending", 1, "longitudinal", 1, "axial", "dynamic", "stiffening", "none");
 %! initial_coordinates (scene.initial, build_model (scene, rung), []);
+%!error <initial.V2 has 31 amplitudes: the model has 30 such modes>
+%! scene = check_scene (setfield (paper (), "initial", "V2", ones (1, 31)));
+%! rung = struct ("sines", [], "bending", 1, "longitudinal", 1, "axial", "dynamic", "stiffening", "none");
+%! initial_coordinates (scene.initial, build_model (scene, rung), []);
