@@ -1,25 +1,29 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{a}, @var{stages}, @var{tangents}, @var{message}] =} collocation_stages (@var{system}, @
-##   @var{method}, @var{t}, @var{h}, @var{z}, @var{z_dot}, @var{a}, @var{size}, @var{tangents})
-## Accelerations @var{a} (n-by-s) at the stages of a collocation @var{method} (see @code{collocation}) in a step of
-## @var{h} (s) from the time @var{t}, place @var{z} and velocity @var{z_dot} of a rod on a surface (see
-## @code{surface_rod}) on, by Newton's iteration from a first guess of @var{a}, until a step of it moves no point by
-## @var{size} (m).
+## @deftypefn {} {[@var{a}, @var{starts}, @var{stages}, @var{tangents}, @var{message}] =} collocation_stages (@
+##   @var{system}, @var{method}, @var{t}, @var{h}, @var{y}, @var{a}, @var{starts}, @var{size}, @var{tangents})
+## Accelerations @var{a} (n-by-s a step) at the stages of equal steps of @var{h} (s) in turn of a collocation
+## @var{method} (see @code{collocation}), from the time @var{t} and the state @var{y} (place; velocity) of a rod on a
+## surface (see @code{surface_rod}) on, by Newton's iteration on all steps at once, until it moves no point by
+## @var{size} (m).  It looks from a first guess of @var{a} on, and of @var{starts}, the states where the steps start
+## (2n-by-steps), which need not go on from one another (multiple shooting).
 ##
-## @var{stages}: a cell of places and velocities; @var{tangents}: a struct of M, C and K (n-by-n-by-s), h, and the factors
-## of Newton's matrix; those of a step before, where they are given and h is the same, are taken for as long as they
-## serve.  @var{message}: why there are none, or "".
+## @var{starts}: these states, and that at the end; @var{stages}: a cell of places and velocities, as @var{a};
+## @var{tangents}: a struct of M, C and K (n-by-n, a page a stage), h, and the factors of each step's Newton matrix; of
+## one step those of a step before, where they are given and h is the same, are taken for as long as they serve.
+## @var{message}: why there are none, or "".
 ##
 ## Every stage has its own stiffness in Newton's matrix: what stretches turns with the rod within a step, and is stiff.
 ## @end deftypefn
 
-function [a, stages, tangents, message] = collocation_stages (system, method, t, h, z, z_dot, a, size, tangents = [])
+function [a, starts, stages, tangents, message] = collocation_stages (system, method, t, h, y, a, starts, size, ...
+                                                                      tangents = [])
   message = "its Newton iteration did not converge";
-  t += h*method.points.';
+  count = columns (starts);
+  t += h*((0:count-1) + method.points)(:).';
   change = rate = NaN;
-  known = ! isempty (tangents) && tangents.h == h;
+  known = count == 1 && ! isempty (tangents) && tangents.h == h;
   for iteration = 1:12
-    stages = {z + h*z_dot*method.points.' + h^2*a*method.AA.', z_dot + h*a*method.A.'};
+    stages = stages_of (method, h, starts(:,1:count), a);
     R = system.residual (t, stages{:}, a);
     if (! all (isfinite (R(:))))
       message = "its loads or states are no numbers";
@@ -33,11 +37,51 @@ function [a, stages, tangents, message] = collocation_stages (system, method, t,
     if (! (rate <= 0.2 || (known && iteration == 1)))
       tangents = tangents_of (system, method, t, h, stages, a);
     endif
-    step = -reshape (tangents.upper \ (tangents.lower \ R(:)(tangents.order)), rows (a), []);
-    a += step;
+    [a, starts, moved] = newton_step (method, h, tangents, R, y(1:2*rows (a)), a, starts(:,1:count));
     before = change;
-    change = system.size (h^2*step);
+    change = system.size (moved);
     rate = change/before;
+  endfor
+endfunction
+
+function stages = stages_of (method, h, starts, a)
+  n = rows (a);
+  count = columns (starts);
+  z = starts(1:n,:);
+  v = starts(n+1:end,:);
+  of = kron (1:count, ones (size (method.points.')));
+  each = @(weights) kron (eye (count), weights.');
+  stages = {z(:,of) + h*v(:,of).*repmat(method.points.', 1, count) + h^2*a*each(method.AA), ...
+            v(:,of) + h*a*each(method.A)};
+endfunction
+
+## better accelerations and states where the steps start, with the end; and by how much places moved
+function [a, starts, moved] = newton_step (method, h, tangents, R, reached, a, starts)
+  [n, columns] = size (R);
+  s = numel (method.points);
+  moved = [];
+  for i = 1:columns/s
+    stages = s*(i - 1) + (1:s);
+    change = reached - starts(:,i);
+    excess = R(:,stages);
+    if (any (change))
+      excess += follow (tangents, stages, change(1:n) + h*change(n+1:end).*method.points.', change(n+1:end));
+    endif
+    of_step = tangents.factors(i);
+    step = -reshape (of_step.upper \ (of_step.lower \ excess(:)(of_step.order)), n, s);
+    a(:,stages) += step;
+    starts(:,i) = reached;
+    reached = [reached(1:n) + h*reached(n+1:end) + h^2*a(:,stages)*method.second_weights.'
+               reached(n+1:end) + h*a(:,stages)*method.weights.'];
+    moved = [moved, change(1:n), h^2*step];
+  endfor
+  starts(:,end+1) = reached;
+endfunction
+
+## forces that follow changes of places and of the velocity
+function forces = follow (tangents, pages, places, velocity)
+  for k = 1:numel (pages)
+    forces(:,k) = tangents.K(:,:,pages(k))*places(:,k) + tangents.C(:,:,pages(k))*velocity;
   endfor
 endfunction
 
@@ -49,19 +93,24 @@ function tangents = tangents_of (system, method, t, h, stages, a)
   if (system.damped)
     tangents.C = system.tangent_damping (t, stages{:}, a);
   endif
-  matrix = newton_matrix (method, h, tangents, system.damped);
-  [tangents.lower, tangents.upper, tangents.order] = lu (matrix, "vector");
+  s = numel (method.points);
+  for i = 1:columns (a)/s
+    pages = s*(i - 1) + (1:s);
+    matrix = newton_matrix (method, h, tangents, pages, system.damped);
+    [factors.lower, factors.upper, factors.order] = lu (matrix, "vector");
+    tangents.factors(i) = factors;
+  endfor
 endfunction
 
-function matrix = newton_matrix (method, h, tangents, damped)
-  [n, ~, s] = size (tangents.K);
-  for i = 1:s
+function matrix = newton_matrix (method, h, tangents, pages, damped)
+  n = rows (tangents.K);
+  for i = 1:numel (pages)
     own = (i - 1)*n + (1:n);
-    matrix(own,:) = kron (h^2*method.AA(i,:), tangents.K(:,:,i));
+    matrix(own,:) = kron (h^2*method.AA(i,:), tangents.K(:,:,pages(i)));
     if (damped)
-      matrix(own,:) += kron (h*method.A(i,:), tangents.C(:,:,i));
+      matrix(own,:) += kron (h*method.A(i,:), tangents.C(:,:,pages(i)));
     endif
-    matrix(own,own) += tangents.M(:,:,i);
+    matrix(own,own) += tangents.M(:,:,pages(i));
   endfor
 endfunction
 
@@ -75,15 +124,27 @@ endfunction
 %!  system.tangent_stiffness = @(t, z, z_dot, a) 4*reshape (K (z), 2, 2, []);
 %!endfunction
 %!test # the cosine, and the polynomial's accelerations where its places are
-%! [a, stages, tangents, message] = collocation_stages (oscillators (), collocation (4), 0, 0.1, [1; 1], [0; 0], ...
-%!                                                      zeros (2, 4), 1e-12);
+%! [a, ~, stages, tangents, message] = collocation_stages (oscillators (), collocation (4), 0, 0.1, [1; 1; 0; 0], ...
+%!                                                      zeros (2, 4), [1; 1; 0; 0], 1e-12);
 %! assert (message, ""); assert (size (tangents.K), [2 2 4]);
 %! assert (a(1,:), -4*cos (0.2*collocation (4).points.'), 1e-7);
 %! assert (a(2,:), -4*sin (stages{1}(2,:)), 1e-11);
 %!test # why there are none
+%! from = {collocation(4), 0, 0.1, [1; 1; 0; 0], zeros(2, 4), [1; 1; 0; 0], 1e-12};
 %! system = setfield (oscillators (), "residual", @(t, z, z_dot, a) NaN*a);
-%! [~, ~, ~, message] = collocation_stages (system, collocation (4), 0, 0.1, [1; 1], [0; 0], zeros (2, 4), 1e-12);
+%! [~, ~, ~, ~, message] = collocation_stages (system, from{:});
 %! assert (message, "its loads or states are no numbers");
 %! system = setfield (oscillators (), "tangent_stiffness", @(t, z, varargin) -2e3*ones (2, 2, columns (z)));
-%! [~, ~, ~, message] = collocation_stages (system, collocation (4), 0, 0.1, [1; 1], [0; 0], zeros (2, 4), 1e-12);
+%! [~, ~, ~, ~, message] = collocation_stages (system, from{:});
 %! assert (message, "its Newton iteration did not converge");
+%!test # three steps at once are one after the other
+%! method = collocation (4);
+%! [system, y] = deal (oscillators (), [1; 1; 0; 0.5]);
+%! [a, starts] = collocation_stages (system, method, 0, 0.3, y, zeros (2, 12), [1; 1; 0; 0.5]*[1 0.9 0.8], 1e-13);
+%! for i = 1:3
+%!   assert (starts(:,i), y, 1e-12);
+%!   [one, ends] = collocation_stages (system, method, 0.3*(i - 1), 0.3, y, zeros (2, 4), y, 1e-13);
+%!   assert (a(:,4*i-3:4*i), one, 1e-10);
+%!   y = ends(:,end);
+%! endfor
+%! assert (starts(:,4), y, 1e-12); assert (y([1 3]), [cos(1.8); -2*sin(1.8)], 1e-8);

@@ -9,98 +9,98 @@
 ## they resolve the motion) within the interval's share of @var{solver}.tolerance (m), and the energy balance within
 ## 3e-9 of the largest energy, or of its floor system.energy_floor: a rod at rest has none to measure by.  Oscillations
 ## of stretching too fast for that keep their energy, not their phase.
+##
+## Where another motion leads (see led_by of @code{kind_of}), eight frames are solved at once, or fewer after one that
+## failed.
 ## @end deftypefn
 
 function [states, steps] = integrate_gauss (system, times, y, solver)
   states = repmat (y, 1, numel (times));
   method = collocation (4);
-  balance = 3e-9;
+  [~, ~, nodes] = guess_through (method, 1, 0, []);
   steps = 0;
   m = 2;
-  n = system.n;
   largest = system.energy_floor;
-  tangents = [];
+  tangents = led = [];
   frames = times(are_frames (system, times));
-  for k = 2:numel (frames)
-    interval = frames([k-1, k]);
-    inside = times > interval(1) & times <= interval(2);
-    tolerance = solver.tolerance*diff (interval)/system.duration;
+  most = at_once = 1 + 7*isfield (system, "led_states");
+  k = 1;
+  while (k < numel (frames))
+    ends = equal_steps (frames(k:min (k + at_once, end)));
+    count = numel (ends) - 1;
+    inside = times > ends(1) & times <= ends(end);
+    frame = ends(2) - ends(1);
+    tolerance = solver.tolerance*frame/system.duration;
     pieces = max (1, floor (m/2));
-    stages = @(m) interval(1) + diff (interval)/m*((0:m-1) + method.points)(:).';
-    places = led_places (system, stages (pieces), interval(1), y);
-    coarse = march (system, method, interval, y, pieces, [], [stages(2*pieces), interval(2)], places);
-    places = coarse(1:n,1:end-1);  # where the first of the finer steps may begin to look
-    coarse = coarse(:,end);
+    if (isfield (system, "led_states"))
+      led = system.led_states (step_times (ends, pieces, nodes));
+    endif
+    wanted = [ends(2:end), step_times(ends, 2*pieces, nodes)];
+    coarse = collocation_steps (system, method, ends, y, pieces, [], wanted, led);
     do
       m = 2*pieces;
       if (m > 2^13)
-        stop_integration ("gauss", system, interval(1), times(end), diff (interval)/m, ...
-                          "its steps shrank to nothing", ...
+        stop_integration ("gauss", system, ends(1), times(end), frame/m, "its steps shrank to nothing", ...
                           sprintf ("a larger tolerance than %.2g m", solver.tolerance));
       endif
-      [between, tangents] = march (system, method, interval, y, m, tangents, times(inside), places);
-      fine = between(:,end);
-      steps += 3*pieces;
-      change = fine - coarse;
-      [drift, largest] = energy_drift (system, interval, y, fine, largest);
-      error = max (system.size (change(1:n))/16, tolerance*drift/balance);
-      if (! all (isfinite (change)))
-        error = Inf;
-      endif
-      coarse = fine;
-      places = [];
+      wanted = [ends(2:end), step_times(ends, 2*m, nodes), times(inside)];
+      [fine, tangents] = collocation_steps (system, method, ends, y, m, tangents, wanted, coarse(:,count+1:end));
+      steps += 3*pieces*count;
+      [error, largest] = error_of (system, ends, [y, fine(:,1:count)], coarse(:,1:count), tolerance, largest);
+      coarse = fine(:,1:end-nnz (inside));
       pieces = m;
-    until (error <= tolerance)
+    until (error <= tolerance || (isinf (error) && count > 1))
+    if (isinf (error))
+      at_once = 1;
+      continue;
+    endif
     if (error < tolerance/100 && m > 2)
       m /= 2;
     endif
-    y = fine;
-    system.refuse_singular (y(1:n), sprintf ("at t = %.4g s", interval(2)));
-    states(:,inside) = between;
-  endfor
+    k += count;
+    at_once = min (2*at_once, most);
+    y = fine(:,count);
+    system.refuse_singular (y(1:system.n), sprintf ("at t = %.4g s", ends(end)));
+    states(:,inside) = fine(:,end-nnz (inside)+1:end);
+  endwhile
+endfunction
+
+## as many of the times as are equally far apart
+function times = equal_steps (times)
+  steps = diff (times);
+  other = find (abs (steps - steps(1)) > 1e-9*steps(1), 1);
+  times = times(1:min ([other, end]));
+endfunction
+
+## the nodes, parts of a step, of m steps between each two ends
+function t = step_times (ends, m, nodes)
+  t = ends(1:end-1) + (ends(2) - ends(1))/m*((0:m-1) + nodes)(:);
+  t = t(:).';
+endfunction
+
+## the larger of what a frame adds to the error (m) and to the energy balance, in the same measure; and the largest
+## change of an energy
+function [error, largest] = error_of (system, ends, states, coarse, tolerance, largest)
+  balance = 3e-9;
+  n = system.n;
+  change = states(:,2:end) - coarse;
+  if (! all (isfinite (change(:))))
+    error = Inf;
+    return;
+  endif
+  added = arrayfun (@(k) system.size (change(1:n,k))/k, 1:columns (change));
+  [drift, largest] = energy_drift (system, ends, states, largest);
+  error = max (max (added)/16, tolerance*drift/balance);
 endfunction
 
 ## how far the energy balance moves between two states, beyond rounding, as a part of the largest change of an energy
-function [drift, largest] = energy_drift (system, interval, before, after, largest)
+function [drift, largest] = energy_drift (system, times, states, largest)
   n = system.n;
-  both = [before, after, system.initial_state];
-  E = [system.energies([interval, 0], both(1:n,:), both(n+1:2*n,:))(1:3,:); -both(2*n+1,:); both(2*n+2,:)];
-  largest = max ([largest; abs(E(1:2,2)); abs(E(3:5,2) - E(3:5,3))]);
+  both = [states, system.initial_state];
+  E = [system.energies([times, 0], both(1:n,:), both(n+1:2*n,:))(1:3,:); -both(2*n+1,:); both(2*n+2,:)];
+  largest = max ([largest; max(abs (E(1:2,2:end-1)), [], 2); max(abs (E(3:5,2:end-1) - E(3:5,end)), [], 2)]);
   rounding = 100*eps*max (sum (abs (E), 1));
-  drift = max (abs (sum (E(:,2)) - sum (E(:,1))) - rounding, 0)/largest;
-endfunction
-
-## m equal steps, and the states at some times of them, the last one the end; no numbers where Newton's iteration does
-## not converge. Places of all stages are a first guess, where there are any.
-function [states, tangents] = march (system, method, interval, y, m, tangents, times, places)
-  states = NaN (rows (y), numel (times));
-  h = diff (interval)/m;
-  n = system.n;
-  acceleration = zeros (n, 4);
-  guessed = ! isempty (places) && all (isfinite (places(:)));
-  for i = 1:m
-    t = interval(1) + h*(i - 1);
-    z = y(1:n);
-    z_dot = y(n+1:2*n);
-    if (guessed)
-      acceleration = accelerations_to (method, h, z, z_dot, places(:,4*i-3:4*i));
-    else
-      acceleration *= method.onward.';
-    endif
-    [acceleration, stages, tangents, message] = collocation_stages (system, method, t, h, z, z_dot, acceleration, ...
-                                                                    1e-12*system.points(end), tangents);
-    if (! isempty (message))
-      return;
-    endif
-    power = system.power (t + h*method.points.', stages{:}, acceleration);
-    inside = times >= t & times < interval(1) + h*i;
-    if (any (inside))
-      states(:,inside) = within_step (method.points, h, y, acceleration, power, (times(inside) - t)/h);
-    endif
-    y = [z + h*z_dot + h^2*acceleration*method.second_weights.'; z_dot + h*acceleration*method.weights.'; ...
-         y(2*n+1:end) + h*(power*method.weights.')];
-  endfor
-  states(:,end) = y;
+  drift = max (max (abs (diff (sum (E(:,1:end-1))))) - rounding, 0)/largest;
 endfunction
 
 %!test # against ode45: a soft pendulum on a torus, and the energy

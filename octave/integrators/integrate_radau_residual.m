@@ -12,7 +12,7 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
   states = repmat (y, 1, numel (times));
   t = times(1);
   h = 1e-2*system.duration;
-  if (isfield (system, "led"))
+  if (isfield (system, "led_states"))
     h = system.led_step (solver.tolerance);
   endif
   a_start = -system.mass_matrix (y(1:n)) \ system.residual (t, y(1:n), y(n+1:2*n), zeros (n, 1));
@@ -20,13 +20,12 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
   while (t < times(end))
     to_go = ceil ((times(end) - t)/h*(1 - 1e-9));
     h = min (h, (times(end) - t)/to_go);
-    a = repmat (a_start, 1, numel (method.points));
-    places = led_places (system, t + h*method.points.', t, y);
-    if (! isempty (places) && ! refused)
-      a = accelerations_to (method, h, y(1:n), y(n+1:2*n), places);
+    if (isfield (system, "led_states") && ! refused)
+      [a, start] = guess_through (method, h, n, system.led_states (t + h*[0, method.points.']));
+    else
+      [a, start] = deal (repmat (a_start, 1, numel (method.points)), y(1:2*n));
     endif
-    [a, stages, tangents, message] = collocation_stages (system, method, t, h, y(1:n), y(n+1:2*n), a, ...
-                                                         1e-5*solver.tolerance);
+    [a, ~, stages, tangents, message] = collocation_stages (system, method, t, h, y, a, start, 1e-5*solver.tolerance);
     steps++;
     growth = 0.5;
     if (isempty (message))
@@ -61,7 +60,8 @@ endfunction
 
 function method = radau_method ()
   rule = radau_rule (5);
-  method = struct ("points", rule.c.', "A", rule.A, "AA", rule.A^2, "e", rule.e, "g", real (rule.eigenvalues(1)));
+  method = struct ("points", rule.c.', "A", rule.A, "AA", rule.A^2, "weights", rule.A(end,:), ...
+                   "second_weights", rule.A(end,:)*rule.A, "e", rule.e, "g", real (rule.eigenvalues(1)));
 endfunction
 
 ## in metres; filtered, so that stiff modes count as what they will be

@@ -1,17 +1,24 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{states} =} within_step (@var{points}, @var{h}, @var{y}, @var{a}, @var{power}, @var{x})
-## The states (place; rate; work and what is dissipated) at the parts @var{x} (1-by-m) of a step of collocation of
-## @var{h} (s) from the state @var{y} on, by the polynomials through the accelerations @var{a} (n-by-s) and the
-## @var{power} (rows-by-s) at its @var{points} (s-by-1, parts of the step).
+## @deftypefn {} {@var{states} =} within_step (@var{points}, @var{h}, @var{y}, @var{a}, @var{power}, @var{x}, @var{step})
+## The states (place; rate; work and what is dissipated) at the parts @var{x} (1-by-m) of steps of collocation of
+## @var{h} (s) from the states @var{y} (a column a step) on, by the polynomials through the accelerations @var{a}
+## (n-by-s a step) and the @var{power} (rows-by-s a step) at their @var{points} (s-by-1, parts of a step); each part is
+## one of the @var{step} (1-by-m) of that number, or of the only one.
 ## @end deftypefn
 
-function states = within_step (points, h, y, a, power, x)
+function states = within_step (points, h, y, a, power, x, step = ones (size (x)))
   n = rows (a);
-  p = 0:numel (points) - 1;
+  s = numel (points);
+  p = 0:s-1;
   coefficients = inv (points.^p).';
   once = coefficients*(x.^(p.' + 1)./(p.' + 1));
   twice = coefficients*(x.^(p.' + 2)./((p.' + 1).*(p.' + 2)));
-  states = y + [h*y(n+1:2*n)*x + h^2*(a*twice); h*(a*once); h*(power*once)];
+  states = y(:,step);
+  states(1:n,:) += h*x.*y(n+1:2*n,step);
+  for k = 1:s
+    at = s*(step - 1) + k;
+    states += [h^2*a(:,at).*twice(k,:); h*a(:,at).*once(k,:); h*power(:,at).*once(k,:)];
+  endfor
 endfunction
 
 %!test # an acceleration of 6 t and a power of 3 t^2 from t = 2 on, in a step of 4
@@ -19,3 +26,10 @@ endfunction
 %! t = @(x) 2 + 4*x;
 %! states = within_step (points, 4, [8; 12; 8], 6*t(points.'), 3*t(points.').^2, [0 0.3 1]);
 %! assert (states, [t([0 0.3 1]).^3; 3*t([0 0.3 1]).^2; t([0 0.3 1]).^3], 1e-12);
+%!test # and of two such steps in turn
+%! points = [0.2; 0.5; 1];
+%! now = 2 + 4*[points.', 1 + points.'];
+%! starts = [8 216; 12 108; 8 216];
+%! states = within_step (points, 4, starts, 6*now, 3*now.^2, [1 0.3 0.9], [1 2 2]);
+%! t = [6, 7.2, 9.6];
+%! assert (states, [t.^3; 3*t.^2; t.^3], 1e-10);

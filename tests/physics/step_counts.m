@@ -49,7 +49,7 @@
 %!test # a rod on a surface
 %! scene = check_surface_scene (setfield (setfield (large_swing (), "duration", 0.3), "model", "modes", [4 4]));
 %! hold_counts (surface_rod (scene), [0 0.1 0.3], {
-%!   "gauss", 1e-4, 105, 1292
-%!   "gauss", 1e-7, 213, 2516
+%!   "gauss", 1e-4, 105, 1112
+%!   "gauss", 1e-7, 213, 2016
 %!   "radau", 1e-4, 24,  511
 %!   "radau", 1e-7, 51, 1011});

@@ -4,7 +4,7 @@
 ## @end deftypefn
 
 function M = surface_mass (system, z)
-  M = zeros (rows (z), rows (z), columns (z));
+  M = 0;
   for part = system.parts
     M += mass_of_part (part, system.surface, z);
   endfor
@@ -13,24 +13,26 @@ endfunction
 function M = mass_of_part (part, surface, z)
   b = part.base;
   fields = fields_of_basis (b, z, 0*z, 0*z);
-  densities = cell (1, 3);
-  [densities{:}] = surface.mass (fields, part.rod);
-  turning = cell (1, 4);
+  [of_11, of_12, of_22] = surface.mass (fields, part.rod);
+  mixed = sums (b.values{1}, b.values{2}, b.weights.*of_12);
+  M = sums (b.values{1}, b.values{1}, b.weights.*of_11) + sums (b.values{2}, b.values{2}, b.weights.*of_22) ...
+      + mixed + permute (mixed, [2 1 3]);
   if (part.rod.rhoI > 0)
-    [turning{:}] = surface.turning (fields);
+    [turning{1:4}] = surface.turning (fields);
+    functions = [b.values, b.slopes];
+    for i = 1:4
+      for j = 1:4
+        M += sums (functions{[i j]}, part.rod.rhoI*b.weights.*turning{i}.*turning{j});
+      endfor
+    endfor
   endif
-  for k = 1:columns (z)
-    of_state = @(density) part.base.weights.*density(:,k);
-    mixed = b.values{1}.'*(of_state (densities{2}).*b.values{2});
-    own = b.values{1}.'*(of_state (densities{1}).*b.values{1}) + b.values{2}.'*(of_state (densities{3}).*b.values{2}) ...
-          + mixed + mixed.';
-    if (part.rod.rhoI > 0)
-      rate = turning{1}(:,k).*b.values{1} + turning{2}(:,k).*b.values{2} ...
-             + turning{3}(:,k).*b.slopes{1} + turning{4}(:,k).*b.slopes{2};
-      own += rate.'*(part.rod.rhoI*part.base.weights.*rate);
-    endif
-    M(:,:,k) = own;
-  endfor
+endfunction
+
+## of products of two rows of functions, by densities (a column a page of the result)
+function S = sums (rows_1, rows_2, densities)
+  [p, n] = size (rows_1);
+  products = rows_1.*reshape (rows_2, p, 1, n);
+  S = reshape (reshape (products, p, n^2).'*densities, n, n, []);
 endfunction
 
 %!test # of a rod that moves along itself as a whole, with what hangs at its end

@@ -41,8 +41,9 @@ function system = surface_rod (scene)
   system.damped = any ([r.damping; system.springs.damping] > 0);
   system = turned_by (system, base_at, turning_of (scene));
   system.energy_floor = energy_floor (rod_moment_of_inertia (r.length, r.rhoA, 0), scene.duration);
-  everywhere = linspace (0, r.length, 501).';
-  system.refuse_singular = @(z, when) refuse_singular (surface, system.fields (0, z, z, z, everywhere), when);
+  everywhere = base_at (linspace (0, r.length, 501).', []);
+  fields = @(z) fields_of_basis (everywhere, z, z, z, system.turn (0, z));
+  system.refuse_singular = @(z, when) refuse_singular (surface, fields (z), when);
   system.refuse_singular (zeros (system.n, 1), "at the start");
   refuse_no_direction (system, zeros (system.n, 1));
   system = started_on_surface (system, scene);
