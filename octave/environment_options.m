@@ -59,6 +59,8 @@ endfunction
 %!   assert (any (strcmp (environment_options (), "keep")), false);
 %!   setenv ("SPEEDS", "0:0.1:0.3");
 %!   assert (environment_options (){end}, 0:0.1:0.3, 1e-15);
+%!   setenv ("SPEEDS", ""); setenv ("MODES", "7a");  # no number that begins well
+%!   assert (environment_options ()(2:3), {"modes", "7a"});
 %! unwind_protect_cleanup
 %!   cellfun (@(name) setenv (name, ""), {"MODES", "TOLERANCE", "SIZE", "OUTPUT", "PICTURES", "SPEEDS", "AT", "KEEP"});
 %! end_unwind_protect

@@ -35,5 +35,7 @@ endfunction
 %! assert (cellfun (@(point) point.x(2), points), [0.4 0.5]);
 %! q = cellfun (@(point) point.x(1), points);
 %! assert (q - 0.1, [0.4 0.5].*sin (q), 1e-12); assert (0.15 + 0.1*shares, q, 0.01);
+%! [points, shares] = path_at_factors (path, point, next, [0.5 0.4]);  # from near to far, however they are asked for
+%! assert (cellfun (@(point) point.x(2), points), [0.4 0.5]); assert (issorted (shares));
 %! points = path_at_factors (setfield (path, "range", 1e-8), point, next, 0.4);  # which may be small against 1
 %! assert (numel (points), 1);

@@ -14,3 +14,5 @@ endfunction
 %!test
 %! outline = body_outline ([0; 1; 2], [0; 0; 0], 0.5);
 %! assert (outline, [0 0.5; 1 0.5; 2 0.5; 2 -0.5; 1 -0.5; 0 -0.5; 0 0.5]);
+%! outline = body_outline ([0; 0; 0], [0; 1; 2], 0.5);
+%! assert (outline, [-0.5 0; -0.5 1; -0.5 2; 0.5 2; 0.5 1; 0.5 0; -0.5 0]);

@@ -130,3 +130,6 @@ endfunction
 %! balance.mass = @(q) diag ([1 1]);
 %! [q, ~, linear] = equilibrium (balance, 0);
 %! assert (q, [0.02; 0.02], 1e-12); assert (linear.K, K);
+%! balance.mass = @(q) diag ([1 1])*1e8;  # what accelerates them by 1e-14 m/s^2 is nothing
+%! balance.residual = @(t, q, v, lambda) [1e-6; 1e-6] - K*q;
+%! assert (equilibrium (setfield (balance, "start", [0.02; 0.02]), 0), [0.02; 0.02], 1e-12);

@@ -58,8 +58,8 @@ function H = responses (model, s)
 endfunction
 
 %!test # a rigid pendulum: phi = F l/(K - s^2 J), and the peak of a damped one
-%! scene.rod = struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 3, "rhoI", 0);
-%! scene.model = struct ("modes", [0 0], "rotary_inertia", false);
+%! scene.rod = struct ("length", 1, "EA", 1, "EI", 1e6, "rhoA", 3, "rhoI", 0);
+%! scene.model = struct ("modes", [0 0], "rotary_inertia", false, "axial", "none");
 %! scene.initial.phi = -pi/2;
 %! scene.joints = {struct("name", "pull", "kind", "force", "stations", 1, "value", [0 0])};
 %! scene.duration = 1;
@@ -69,6 +69,9 @@ endfunction
 %!   assert (found.inputs, {"moment [N m]", "pull_x [N]", "pull_y [N]"}(end-1:end));
 %!   assert (squeeze (found.response(1,1,:)).', 1./(3*9.81/2 - (2*pi*[0 0.1 1]).^2), 1e-8);
 %!   assert (stat (fullfile (folder, "response.png")).size > 10000);
+%!   scene.model.modes = [0 1];  # so stiff that it does the same
+%!   evalc ("stiff = frequency_response (scene, 'frequencies', [0 0.1 1], 'output', folder);");
+%!   assert (stiff.response(1,1,:), found.response(1,1,:), -1e-5);
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");
 %! end_unwind_protect

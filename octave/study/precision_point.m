@@ -118,3 +118,20 @@ endfunction
 %! stepped = setfield (scene, "solver", "step", 0.01);
 %! row = precision_point (rod_kind (), stepped, model, ode45, 1e-5, reference, 20);
 %! assert (row.error_m <= 1e-5); assert ({row.method, row.parameter, row.failure}, {"ode45", 1e-5, ""});
+%!function y_dot = give_up (rate, t, varargin)   # after 0.05 s
+%!  if (t > 0.05)
+%!    error ("toolchain:integration", "given up late\n");
+%!  endif
+%!  y_dot = rate (t, varargin{:});
+%!endfunction
+%!test # a failure after a part that went well is the row's, and no shorter curve
+%! scene = check_scene (setfield (setfield (paper (), "model", "modes", [0 1]), "duration", 0.2));
+%! model = build_model (scene, rung_of_scene (scene));
+%! kind = rod_kind ();
+%! reference = reference_run (kind, scene, model, 60);
+%! system = kind.system;
+%! late = @(system) setfield (system, "rate", @(varargin) give_up (system.rate, varargin{:}));
+%! kind.system = @(varargin) late (system (varargin{:}));
+%! ode45 = integrator_table ()(strcmp ({integrator_table().name}, "ode45"));
+%! row = precision_point (kind, scene, model, ode45, 1e-5, reference, 20);
+%! assert (! isempty (strfind (row.failure, "given up late"))); assert (row.part, 1);

@@ -69,3 +69,12 @@ endfunction
 %! for each = {sweep, loose}
 %!   assert (in_scratch (@(folder, scratch) drawn (folder, each{1})), cell (0, 2));
 %! endfor
+%!function text = drawn_settings (scratch, sweep)
+%!  finish_tool (draw_parallel (sweep, "", scratch));
+%!  text = fileread (fullfile (scratch, "settings.gp"));
+%!endfunction
+%!test # what does not differ stands in the middle of its axis
+%! sweep = struct ("x", [1 2 3; 4 5 6], "names", {{"a", "b", "c"}}, "words", {{{}, {}, {}}}, "y", [0; 0], ...
+%!                 "texts", {{"y"}}, "failed", [false false]);
+%! text = in_scratch (@(folder, scratch) drawn_settings (scratch, sweep));
+%! assert (! isempty (strfind (text, sprintf ("c_low = -0.5\nc_high = 0.5\n"))), text);

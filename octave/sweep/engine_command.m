@@ -85,3 +85,10 @@ endfunction
 %! assert (has (of ("parallel", "hosts", "a,2/b"), " --env QUIET --sshlogin 'a,2/b'"));
 %! assert (has (of ("make", "load", 1.5), "exec make -s -k -j 2 -f commands -l 1.5"));
 %! assert (has (of ("slurm", "memory", "2G", "time_limit", 100), "--output=/dev/null --mem=2G --time=2 --array"));
+%!function said = of_many (folder, count)   # points, each within 100 s
+%!  names = arrayfun (@(k) sprintf ("p%d", k), 1:count, "uniformoutput", false);
+%!  said = engine_command ("slurm", 2, take_settings ({"time_limit", 100}), folder, names, names, "true");
+%!endfunction
+%!test # a task of Slurm's array has the time of all its points: three of 2500
+%! text = in_scratch (@(folder, scratch) of_many (folder, 2500));
+%! assert (! isempty (strfind (text, sprintf (" --time=%d --array=1-1000%%2 ", ceil (3*101/60)))), text);

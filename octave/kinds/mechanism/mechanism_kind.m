@@ -136,3 +136,8 @@ endfunction
 %! assert (kind.stated (scene), struct ("bending", [0 0 0], "longitudinal", [0 0 0]));
 %! assert (cellfun (@(model) model.rung.bending, kind.sized (scene, 3).models) >= 3, true (1, 3));
 %! assert (kind.has (struct ("joints", 1)));
+%!test # limits of the first body, too
+%! scene = check_mechanism (setfield (chain (2), "duration", 0.02));
+%! [model, choice] = chosen_model (mechanism_kind (), scene);
+%! limits = mechanism_kind ().limits (scene, balanced_run (mechanism_kind (), scene, model, choice));
+%! assert (unique (strtok ({limits.what}, ":")), {scene.bodies.name});

@@ -139,3 +139,5 @@ endfunction
 %! assert (ladder.label (struct ("bending", [1 3], "longitudinal", [2 0])), "3+2");
 %! assert (ladder.curve ([]), "rungs");
 %! assert (ladder.label (struct ("bending", [1 3], "longitudinal", [0 0])), "3");
+%! richer = ladder.richer (struct ("bending", [1 3], "longitudinal", [0 2]));
+%! assert (richer.longitudinal, [1 5]);

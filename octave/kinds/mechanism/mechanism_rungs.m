@@ -106,3 +106,7 @@ endfunction
 %! assert (rungs ([3 1]){1}.elongations, [-1 -0.5]); assert (rungs ([3 1]){1}.longitudinal, 5);
 %! assert (rungs ([3 1]){2}.elongations, zeros (1, 0)); assert (rungs ([3 1]){2}.sines, [1 0]);
 %! assert (rungs ([0 1]){1}.elongations, zeros (1, 0)); assert (rungs ([0 1]){1}.axial, "none");
+%!test # a body that states its modes and no stretching keeps the transversal ones
+%! [~, ~, scene] = sample_mechanism ([1 2]);
+%! scene.bodies(1).model.axial = "none";
+%! assert (mechanism_rungs (scene, [0 0 0]){1}.sines, [0 2]);

@@ -48,6 +48,8 @@ endfunction
 %!test # one rod in a hub, and two that are welded: the power series of the beam that turns
 %! hub = {struct("kind", "angle", "bodies", 1, "stations", 0, "value", @(t) [6*t, 6, 0])};
 %! assert (steady_mechanism (spinner (hub, 1)).speed, 6);
+%! push = struct ("kind", "force", "bodies", 1, "stations", 1, "value", [0 0]);  # loads are left out
+%! assert (slowest (spinner ([hub, {push}], 1), 8, 2), slowest (spinner (hub, 1), 8, 2), -1e-7);
 %! for count = 1:2
 %!   for speed = [0 8]
 %!     assert (slowest (spinner (hub, count), speed, 2), turning_beam (speed, 2, "clamped"), -2e-5);

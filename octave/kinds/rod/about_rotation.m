@@ -47,3 +47,4 @@ endfunction
 %! [linear, q] = about_rotation (scene, model, 2, []);
 %! tip = functions_at (model.base, 2)*(model.basis*q)(1:25);
 %! assert (tip, 3*2^2*2^3/(3*1e5), -1e-3);
+%! assert (linear.basis, eye (rows (q)));

@@ -100,3 +100,7 @@ endfunction
 %! assert (check_scene (setfield (smallest (), "moment", 3)).moment ([1 2]), [3 3]);
 %!error <rotation prescribes the angle>
 %! check_scene (setfield (setfield (smallest (), "initial", "phi_dot", 1), "rotation", @(t) [0 0 0]))
+%!error <rotation jumps from 0 to 1 at t = 0.5, its number 1: no force can make a prescribed place or rate jump>
+%! check_scene (setfield (smallest (), "rotation", @(t) [t > 0.5; 0; 0]));
+%!error <rotation jumps from 1 to 2 at t = 0.5, its number 2>
+%! check_scene (setfield (smallest (), "rotation", @(t) [t; 1 + (t > 0.5); 0]));

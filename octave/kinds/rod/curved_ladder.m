@@ -39,6 +39,7 @@ endfunction
 %! assert (ladder.solver.tolerance, 2e-4, 1e-15); assert (ladder.solver.name, "auto");
 %! [rung, ~] = ladder.first ();
 %! assert (rung.sines, [3 4]); assert (ladder.smaller (rung, 1).sines, [3 4]);
+%! assert (ladder.label (rung), "4+3");
 %! assert (ladder.richer (rung).sines, [7 10]); assert (ladder.smaller (ladder.richer (rung), 2).sines, [7 9]);
 %! assert (ladder.richer (ladder.richer (ladder.richer (rung))).sines, [27 40]);
 %! scene.model.axial = "none"; scene.initial.V1 = scene.initial.V2_dot = [];

@@ -78,3 +78,13 @@ endfunction
 %! with = dropped_forces (points, motion, setfield (loads, "moment", 7)) - dropped_forces (points, motion, loads);
 %! angle = @(a) asin (a*pi) - atan (a*pi);
 %! assert (with, 7*(angle (0.0501) - angle (0.0499))/2e-4, 0.02*with);
+%!test # stretching that follows is stretching
+%! [scene, model] = sample_rod ([1 1], "rod.half_height", 0.01, "model.stiffening", "foreshortening");
+%! points = dropped_points (model, scene);
+%! [~, motion, loads] = at_rest (0);
+%! none = [0; 0];
+%! motion = setfield (setfield (motion, "q_dot", none), "q_ddot", none);
+%! expected = dropped_forces (points, setfield (motion, "q", [0.01; 0.05]), setfield (loads, "gravity", 9.81));
+%! points.of_followers = cellfun (@(along) along(:,1), points.along, "uniformoutput", false);
+%! motion = setfield (setfield (motion, "q", [0; 0.05]), "followers", 0.01);
+%! assert (dropped_forces (points, motion, setfield (loads, "gravity", 9.81)), expected, 1e-12*norm (expected));

@@ -104,3 +104,8 @@ endfunction
 %!test # a moment that grows: each mode swings about its static value by the load's rate over its frequency
 %! response = of_moment (@(t) 1e-3*t/0.02);
 %! assert (response.beyond_static.*response.omega*0.02, of_moment (1e-3).beyond_static, -0.01);
+%!test # a moment that doubles after half a period of the first mode: that rests then, which the jump does not hide
+%! step = of_moment (1e-3);
+%! half = pi/step.omega(1);
+%! doubled = of_moment (@(t) 1e-3*(1 + (t > half)));
+%! assert (doubled.beyond_static(1), step.beyond_static(1), -0.01); assert (doubled.largest(1), step.largest(1), -0.01);

@@ -63,3 +63,12 @@ endfunction
 %! s = linspace (0, 2*pi*r, 9);
 %! alpha = laid_rod (surface, struct ("curvature", tan (0.3)/2, "length", s(end)), [from 0], pi/2, s);
 %! assert (alpha, from*[cos(s/r); sin(s/r)], 1e-9);
+%!error <initial.point is \[0 0\]: the surface's chart is singular there> # its lines are nearly parallel
+%! surface.mass = @(place, rod) deal (1, 1 - 1e-12, 1);
+%! surface.direction = @(place, angle) deal (1, 0);
+%! laid_rod (surface, [], [0 0], 0, [0 1]);
+%!error <lay the rod across a point where the surface's chart is singular> # its way ends before it does
+%! surface.mass = @(place, rod) deal (1, 0, 1);
+%! surface.direction = @(place, angle) deal (1, 0);
+%! surface.laid = @(place) deal (place.alpha1_1^3, 0);
+%! evalc ("laid_rod (surface, struct ('curvature', 0), [0 0], 0, [0 1]);");
