@@ -66,3 +66,13 @@ endfunction
 %! for sweep = {grid, broken, loose, curve}
 %!   assert (in_scratch (@(folder, scratch) drawn (folder, sweep{1})), cell (0, 2));
 %! endfor
+%!function text = drawn_settings (scratch, sweep)
+%!  finish_tool (draw_sweep (sweep, "", scratch));
+%!  text = fileread (fullfile (scratch, "settings.gp"));
+%!endfunction
+%!test # rows of a grid are apart, and each point is there once
+%! sweep = struct ("x", [1 1; 1 2; 2 1; 2 2], "names", {{"a", "b"}}, "y", [5; 6; 7; 8], "texts", {{"y"}}, ...
+%!                 "failed", false (4, 1));
+%! text = in_scratch (@(folder, scratch) drawn_settings (scratch, sweep));
+%! table = regexp (text, 'panel_1 << END\n(.*?)\n+END', "tokens", "once"){1};
+%! assert (strrep (table, " \n", "\n"), "1 1 5\n1 2 6\n\n2 1 7\n2 2 8 ");

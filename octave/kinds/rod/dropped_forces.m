@@ -84,7 +84,9 @@ endfunction
 %! [~, motion, loads] = at_rest (0);
 %! none = [0; 0];
 %! motion = setfield (setfield (motion, "q_dot", none), "q_ddot", none);
-%! expected = dropped_forces (points, setfield (motion, "q", [0.01; 0.05]), setfield (loads, "gravity", 9.81));
+%! [motion.phi_dot, motion.phi_ddot, loads.gravity] = deal (20, 30, 9.81);
+%! [expected{1:2}] = dropped_forces (points, setfield (motion, "q", [0.01; 0.05]), loads);
 %! points.of_followers = cellfun (@(along) along(:,1), points.along, "uniformoutput", false);
 %! motion = setfield (setfield (motion, "q", [0; 0.05]), "followers", 0.01);
-%! assert (dropped_forces (points, motion, setfield (loads, "gravity", 9.81)), expected, 1e-12*norm (expected));
+%! [found{1:2}] = dropped_forces (points, motion, loads);
+%! assert (found, expected, 1e-9*norm (expected{1}));

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{kind} =} exact_kind ()
 ## The geometrically exact rod in the plane, among the kinds of scenes (see @code{kind_of}): a rod on the upright plane
-## that @code{exact_scene} has made of one straight rod, with the columns of a rod in the plane: phi is the angle of a
-## hub, or of the chord from O to the tip, which the frame of a hinged rod's models turns with.
+## that @code{exact_scene} has made of one rod, with the columns of a rod in the plane: phi is the angle of a hub, or
+## that of the chord from O to the tip less the scene's exact, as the frame of a hinged rod's models turns.
 ## @end deftypefn
 
 function kind = exact_kind ()
@@ -10,7 +10,7 @@ function kind = exact_kind ()
   kind.name = "exact";
   upright = struct ("name", "plane", "inclination", pi/2, "side", 0);
   kind.has = @(given) isfield (given, "exact") && isfield (given, "surface") && isequal (given.surface, upright);
-  kind.check = @(given) setfield (check_surface_scene (rmfield (given, "exact")), "exact", true);
+  kind.check = @(given) setfield (check_surface_scene (rmfield (given, "exact")), "exact", given.exact);
   kind.far_richer = @(scene, model) min (model.numbers.modes + 4, 32);  # a smooth rod's error falls by powers
   kind.observe = @observe_exact;
   kind.describe = @describe_exact;
@@ -26,7 +26,7 @@ function run = observe_exact (scene, model, system, times, states)
   if (isempty (scene.rotation))
     [z, z_dot] = deal (states(1:system.n,:), states(system.n+1:2*system.n,:));
     tip = system.fields (times, z, z_dot, z_dot, scene.rod.length);
-    history.phi = unwrap (atan2 (tip.alpha2, tip.alpha1));
+    history.phi = unwrap (atan2 (tip.alpha2, tip.alpha1)) - scene.exact;
     history.phi_dot = (tip.alpha1.*tip.alpha2_dot - tip.alpha2.*tip.alpha1_dot)./(tip.alpha1.^2 + tip.alpha2.^2);
   else
     turned = at_times (scene.rotation, times);
