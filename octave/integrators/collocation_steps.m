@@ -36,8 +36,7 @@ function [states, tangents] = collocation_steps (system, method, ends, y, m, tan
       return;
     endif
     power = system.power (t + h*((0:count-1) + method.points)(:).', stages{:}, a);
-    work = h*cumsum (power*kron (eye (count), method.weights.'), 2);
-    starts(2*n+1:rows (y),:) = y(2*n+1:end) + [0*work(:,1), work];
+    starts = states_with_work (method, h, starts, y(2*n+1:end), power);
     inside = step_of > done & step_of <= done + count;
     if (any (inside))
       step = step_of(inside) - done;

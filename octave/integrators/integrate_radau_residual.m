@@ -3,16 +3,19 @@
 ##   @var{solver})
 ## Radau IIA of order 9 (see @code{radau_rule}) through all @var{times} (1-by-m, s) from the state @var{y} of a rod on
 ## a surface (see @code{surface_rod}): steps follow from the embedded formula of order 5, in @var{solver}.tolerance
-## (m); frames are of the steps' polynomials.  Oscillations of stretching too fast for the steps die out.
+## (m); frames are of the steps' polynomials.  Oscillations of stretching too fast for the steps die out.  Where another
+## motion leads (see led_by of @code{kind_of}), eight steps are solved at once.
 ## @end deftypefn
 
 function [states, steps] = integrate_radau_residual (system, times, y, solver)
   persistent method = radau_method ();
   n = system.n;
+  s = numel (method.points);
   states = repmat (y, 1, numel (times));
   t = times(1);
   h = 1e-2*system.duration;
-  if (isfield (system, "led_states"))
+  led = isfield (system, "led_states");
+  if (led)
     h = system.led_step (solver.tolerance);
   endif
   a_start = -system.mass_matrix (y(1:n)) \ system.residual (t, y(1:n), y(n+1:2*n), zeros (n, 1));
@@ -20,38 +23,45 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
   while (t < times(end))
     to_go = ceil ((times(end) - t)/h*(1 - 1e-9));
     h = min (h, (times(end) - t)/to_go);
-    if (isfield (system, "led_states") && ! refused)
-      [a, start] = guess_through (method, h, n, system.led_states (t + h*[0, method.points.']));
-    else
-      [a, start] = deal (repmat (a_start, 1, numel (method.points)), y(1:2*n));
+    [a, starts] = deal (repmat (a_start, 1, s), y(1:2*n));
+    if (led && ! refused)
+      nodes = t + h*((0:min (to_go, 8)-1) + [0; method.points]);
+      [a, starts] = guess_through (method, h, n, system.led_states (nodes(:).'));
     endif
-    [a, ~, stages, tangents, message] = collocation_stages (system, method, t, h, y, a, start, 1e-5*solver.tolerance);
-    steps++;
-    growth = 0.5;
+    count = columns (starts);
+    [a, starts, stages, tangents, message] = collocation_stages (system, method, t, h, y, a, starts, ...
+                                                                 1e-5*solver.tolerance);
+    growths = 0.5;
     if (isempty (message))
-      ratio = embedded_error (system, method, h, y, a_start, stages, tangents)/solver.tolerance;
-      growth = max (0.1, 0.85*ratio^(-1/6));
+      off = embedded_errors (system, method, h, starts, [a_start, a(:,s:s:end)], stages, tangents);
+      growths = max (0.1, 0.85*(off/solver.tolerance).^(-1/6));
       message = "its steps shrank to nothing";
     endif
-    if (growth >= 0.85)
-      power = system.power (t + h*method.points.', stages{:}, a);
-      inside = times > t & times <= t + h*(1 + 1e-12);
-      reached = within_step (method.points, h, y, a, power, [min(1, (times(inside) - t)/h), 1]);
-      states(:,inside) = reached(:,1:end-1);
-      y = reached(:,end);
-      t += h;
+    kept = find ([growths, 0] < 0.85, 1) - 1;
+    steps += max (kept, 1);
+    if (kept > 0)
+      power = system.power ((t + h*((0:count-1) + method.points))(:).', stages{:}, a);
+      starts = states_with_work (method, h, starts, y(2*n+1:end), power);
+      inside = times > t & times <= t + kept*h*(1 + 1e-12);
+      step = max (1, min (kept, ceil ((times(inside) - t)/h*(1 - 1e-12))));
+      part = min (1, (times(inside) - t)/h - step + 1);
+      states(:,inside) = within_step (method.points, h, starts, a, power, part, step);
+      y = starts(:,kept+1);
+      t += kept*h;
       system.refuse_singular (y(1:n), sprintf ("at t = %.4g s", t));
-      if (to_go == 1)
+      if (kept == to_go)
         t = times(end);
       endif
-      a_start = a(:,end);
-      growth = min (growth, 1.5);
+      a_start = a(:,s*kept);
       refused = 0;
     else
-      growth = min (growth, 0.8);
       refused++;
     endif
-    h *= growth;
+    if (kept == count)
+      h *= min ([growths, 1.5]);
+    else
+      h *= min (growths(kept+1), 0.8);
+    endif
     if (h < 1e-10*system.duration || refused > 30)
       stop_integration ("radau", system, t, times(end), h, message, "a larger tolerance");
     endif
@@ -64,16 +74,22 @@ function method = radau_method ()
                    "second_weights", rule.A(end,:)*rule.A, "e", rule.e, "g", real (rule.eigenvalues(1)));
 endfunction
 
-## in metres; filtered, so that stiff modes count as what they will be
-function metres = embedded_error (system, method, h, y, a_start, stages, tangents)
+## of each step (1-by-steps, m), where the accelerations are so at all starts and the end; filtered, so that stiff modes
+## count as what they will be
+function metres = embedded_errors (system, method, h, starts, a, stages, tangents)
   n = system.n;
-  middle = (numel (method.points) + 1)/2;
-  [M, C, K] = deal (tangents.M(:,:,middle), tangents.C(:,:,middle), tangents.K(:,:,middle));
+  s = numel (method.points);
   g = method.g/h;
-  place = y(n+1:2*n) + (stages{1} - y(1:n))*method.e.'/h;
-  rate = M*(a_start + (stages{2} - y(n+1:2*n))*method.e.'/h);
-  v = (g*M + C + K/g) \ (rate - K*place/g);
-  metres = max (system.size ((v + place)/g), h*system.size (v));
+  for k = 1:columns (a) - 1
+    middle = s*(k - 1) + (s + 1)/2;
+    [M, C, K] = deal (tangents.M(:,:,middle), tangents.C(:,:,middle), tangents.K(:,:,middle));
+    [z, z_dot] = deal (starts(1:n,k), starts(n+1:2*n,k));
+    of_step = s*(k - 1) + (1:s);
+    place = z_dot + (stages{1}(:,of_step) - z)*method.e.'/h;
+    rate = M*(a(:,k) + (stages{2}(:,of_step) - z_dot)*method.e.'/h);
+    v = (g*M + C + K/g) \ (rate - K*place/g);
+    metres(k) = max (system.size ((v + place)/g), h*system.size (v));
+  endfor
 endfunction
 
 %!test # against ode45: a soft pendulum on a torus, frames within steps

@@ -4,7 +4,7 @@
 ## A scene, checked and with a title, its kind (see @code{kind_of}), where its files go (see @code{take_options}), and
 ## its @var{name} (see @code{load_scene}): @var{which} and @var{options} (a cell array) are arguments as for
 ## @code{driver}; @var{change} (scene) is what is made of the scene before it is checked.
-## With the option "exact" one straight rod is the geometrically exact rod (see @code{exact_scene}); without it
+## With the option "exact" one rod is the geometrically exact rod (see @code{exact_scene}); without it
 ## output.exact comes back as "auto" where a tolerance in metres is stated and nothing of the model, and as false.
 ## @end deftypefn
 

@@ -11,11 +11,11 @@ function warnings = error_warning (tolerance, estimate, instead)
   endif
   remedy = "take a smaller tolerance or another solver";
   if (estimate.dropped > tolerance)
-    remedy = sprintf ("%.2g m of it is what all these models drop beyond foreshortening: %s", estimate.dropped, ...
-                      instead);
+    remedy = sprintf ("%.2g m of it is what all these models drop against the geometrically exact rod: %s", ...
+                      estimate.dropped, instead);
   elseif (estimate.of_choice <= tolerance)
-    remedy = sprintf (["%.2g m of it may be what all these models drop beyond foreshortening: take half the" ...
-                       " tolerance, or %s"], estimate.dropped, instead);
+    remedy = sprintf (["%.2g m of it may be what all these models drop against the geometrically exact rod:" ...
+                       " take half the tolerance, or %s"], estimate.dropped, instead);
   endif
   warnings = {sprintf("the estimated error is %.2g m, the tolerance %.2g m: %s", estimate.metres, tolerance, remedy)};
 endfunction

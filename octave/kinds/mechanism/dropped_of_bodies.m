@@ -1,12 +1,12 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{dropped} =} dropped_of_bodies (@var{scene}, @var{mechanism}, @var{history})
-## How far what the straight rods' models drop beyond foreshortening may move a mechanism's points, a struct as from
-## @code{dropped_error} of which only the bound is known.  It is where the forces of what is dropped (see
+## How far what the rods' models drop may move a mechanism's points, a struct as from @code{dropped_error} of which only
+## the bound is known.  Of straight rods, beyond foreshortening, it is where the forces of what is dropped (see
 ## @code{dropped_forces}; with weight and rotation, without accelerations) and what the tangents at its joints are
 ## turned further (see @code{rod_dropped_angle}) hold the mechanism by its joints, springs and stiffness; how much
 ## nearer points come to the O of their rod; and a quarter of all that for each radian of the phase of what bends,
 ## which runs ahead by it.  What moves freely resists by its inertia: as far as it comes in half of the duration, or
-## within a period of the rods' rotation.
+## within a period of the rods' rotation.  For curved ones see @code{bound_of_curved}.
 ## @end deftypefn
 
 function dropped = dropped_of_bodies (scene, mechanism, history)
@@ -17,7 +17,9 @@ function dropped = dropped_of_bodies (scene, mechanism, history)
     body = history.bodies(k);
     index = index_of (mechanism, k);
     q(index,:) = [body.V; body.phi; body.x; body.y];
-    if (isempty (scene.bodies(k).rod.curvature) && model.rung.bending > 0)
+    if (! isempty (scene.bodies(k).rod.curvature))
+      metres += bound_of_curved (model, body.V, scene.duration);
+    elseif (model.rung.bending > 0)
       [force(index(1:end-2),:), nearer] = of_body (model, body, scene.bodies(k).tip_mass, scene.gravity);
       metres += nearer;
     endif
@@ -130,3 +132,15 @@ endfunction
 %! body = struct ("V", q(1:end-3), "phi", q(end-2), "phi_dot", 0, "x", q(end-1), "y", q(end));
 %! found = dropped_of_bodies (scene, mechanism, struct ("t", 0, "lambda", lambda, "bodies", body));
 %! assert (off, 1.28e-3, 0.01e-3); assert (found.bound, off, 0.15*off);
+%!test # a curved rod's bound, too: that of the rod alone
+%! scene.bodies = {struct("rod", struct ("length", 1, "EA", 1e6, "EI", 1, "rhoA", 1, "curvature", 2), ...
+%!                        "model", struct ("modes", [1 2]))};
+%! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
+%! scene.duration = 1;
+%! scene = check_mechanism (scene);
+%! mechanism = build_mechanism (scene, mechanism_rungs (scene, 0));
+%! V = [1e-5; 0.01; 0.002]*[0 1];
+%! history = struct ("t", [0 1], "lambda", zeros (2), ...
+%!                   "bodies", struct ("V", V, "phi", [0 0], "phi_dot", [0 0], "x", [0 0], "y", [0 0]));
+%! found = dropped_of_bodies (scene, mechanism, history);
+%! assert (found.bound, bound_of_curved (mechanism.models{1}, V, 1)); assert (found.bound > 1e-5);

@@ -4,13 +4,12 @@
 ## a struct as of @code{dropped_error}.  It is how far the geometrically exact rod is from the richer @var{reference},
 ## known to a tenth (see @code{exact_runs}).
 ##
-## Where the slope times the deformation times a quarter of the phase through which the slowest mode goes is below a
-## fifth of the tolerance, or where there is no such rod, or it takes more than half a minute, that bound is taken: of
-## arcs drawn at random, and of the scene arc_pendulum, it is 1 to 6 times what they drop.
+## Where the bound of @code{bound_of_curved} is below a fifth of the tolerance, or where there is no such rod, or it
+## takes more than half a minute, that bound is taken.
 ## @end deftypefn
 
 function dropped = dropped_of_curved (scene, run, reference)
-  metres = bound (run);
+  metres = bound_of_curved (run.model, run.history.V, scene.duration);
   dropped = struct ("metres", metres, "x", 0*reference.x, "y", 0*reference.y, "bound", metres);
   if (metres < scene.solver.tolerance/5)
     return;
@@ -20,18 +19,6 @@ function dropped = dropped_of_curved (scene, run, reference)
   if (known)
     dropped = struct ("metres", distance (exact, reference), "x", exact.x - reference.x, "y", exact.y - reference.y, ...
                       "bound", exact.off);
-  endif
-endfunction
-
-function metres = bound (run)
-  [model, history] = deal (run.model, run.history);
-  omega = sqrt (min ([diag(model.arrays.stiffness_matrix)./diag(model.arrays.mass_matrix); Inf]));
-  metres = 0;
-  if (isfinite (omega))
-    rigid = history;
-    rigid.V = 0*history.V;
-    [x, y] = centreline (model, linspace (0, model.length, rows (run.x)), rigid, 1);
-    metres = largest_slopes (model, history.V)*max (hypot (run.x - x, run.y - y)(:))*(1 + omega*history.t(end)/4);
   endif
 endfunction
 

@@ -104,8 +104,12 @@ endfunction
 
 function text = instead_of_rod (scene)
   text = "EXACT=yes, or the option \"exact\", takes the geometrically exact rod";
-  if (isempty (exact_scene (scene)))
+  if (! isempty (exact_scene (scene)))
+    return;
+  elseif (isempty (scene.rod.curvature))
     text = welded_rods ();
+  else
+    text = "take a stiffer rod or smaller loads, a curved rod's strains are linear in its displacements";
   endif
 endfunction
 
@@ -123,6 +127,8 @@ endfunction
 %! assert (exact (rod_kind ().instead (check_scene (spin_up ()))));
 %! assert (! exact (instead ("initial", "from", "equilibrium")));
 %! assert (! isempty (strfind (instead ("initial", "from", "equilibrium"), "weld")));
+%! assert (exact (rod_kind ().instead (check_scene (arc_pendulum ()))));
+%! assert (! isempty (strfind (rod_kind ().instead (check_scene (hook ())), "linear in its displacements")));
 %!test # how it asks for a balance, far richer models, and what is said of a run
 %! kind = rod_kind ();
 %! tighter = @(off) kind.tighter (struct ("tolerance", 1), off).tolerance;
