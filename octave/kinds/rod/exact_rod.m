@@ -1,12 +1,12 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{trial} =} exact_rod (@var{scene}, @var{modes}, @var{seconds})
+## @deftypefn {} {@var{trial} =} exact_rod (@var{scene}, @var{modes}, @var{seconds}, @var{before})
 ## The top rung of the ladder of models: the geometrically exact rod (see @code{exact_scene}) of a checked scene, in
-## [@var{modes} @var{modes}] polynomials.  A struct of x and y (21-by-m, m), the centreline at the frame times, and
-## count; empty where it has not what the scene has.  What takes more than so many @var{seconds} (default: any) is
-## given up: an error.
+## [@var{modes} @var{modes}] polynomials.  A struct of x and y (21-by-m, m), the centreline at the frame times, count,
+## and run, that may lead the next one as @var{before}; empty where it has not what the scene has.  What takes more than
+## so many @var{seconds} (default: any) is given up: an error.
 ## @end deftypefn
 
-function trial = exact_rod (scene, modes, seconds = Inf)
+function trial = exact_rod (scene, modes, seconds = Inf, before = struct ("run", []))
   trial = [];
   plane = exact_scene (scene);
   if (isempty (plane))
@@ -15,14 +15,10 @@ function trial = exact_rod (scene, modes, seconds = Inf)
   plane.model.modes = [modes modes];
   plane.solver.name = "auto";
   plane.solver.tolerance = scene.solver.tolerance/2;
-  plane = exact_kind ().check (plane);
-  system = surface_rod (plane);
-  solver = struct ("name", "auto", "tolerance", plane.solver.tolerance, "seconds", seconds);
-  times = frame_times (plane);
-  [states, trial.count] = integrate (system, times, solver);
-  none = 0*states(1:system.n,:);
-  fields = system.fields (times, states(1:system.n,:), none, none, linspace (0, scene.rod.length, 21).');
-  [trial.x, ~, trial.y] = system.surface.position (fields);
+  kind = exact_kind ();
+  plane = kind.check (plane);
+  run = run_model (kind, plane, surface_rod (plane), setfield (plane.solver, "seconds", seconds), before.run);
+  trial = struct ("x", run.x(1:5:end,:), "y", run.z(1:5:end,:), "count", run.count, "run", run);
 endfunction
 
 %!test # a rod that hardly bends: the rigid pendulum

@@ -19,7 +19,7 @@ function [run, converged] = exact_runs (kind, scene, seconds, near = @(run) scen
     finer = scene;
     for modes = [12 16 20 25 32]
       finer.solver.tolerance /= 4;
-      richer = exact_rod (finer, modes, seconds - toc (start));
+      richer = exact_rod (finer, modes, seconds - toc (start), fewer);
       richer.name = sprintf ("geometrically exact, %d + %d polynomials", modes, modes);
       richer.off = distance (richer, fewer);
       converged = richer.off <= near (richer);
