@@ -43,9 +43,11 @@ function rows = feature_rows ()
     "prescribed place", {"place", place.value}, place, {"place", place.value, "ends", {"hinge", "free"}}, as_body
     "start deformed", {"initial.V2", 1e-3}, {"initial.V2", 1e-3}, {"initial.shape", @(xi) [xi; xi.^2]}, none
     "foreshortening", {"model.stiffening", "foreshortening"}, {"model.stiffening", "foreshortening"}, ...
-      {"model.stiffening", "foreshortening"}, {"", "", "", "always: displacements are large"}
+      {"model.stiffening", "foreshortening"}, ...
+      {"", "its strains are linear: the geometrically exact rod has it", "", "always: displacements are large"}
     "longitudinal modes without inertia", {"model.axial", "quasistatic"}, {"model.axial", "quasistatic"}, ...
-      {"model.axial", "quasistatic"}, {"", "", "", "stretching is no coordinate of its own"}
+      {"model.axial", "quasistatic"}, ...
+      {"", "`waveform` has them exactly", "`radau` lets stiff ones follow", "stretching is no coordinate of its own"}
     "number of modes chosen", {"model.modes", "auto"}, {"model.modes", "auto"}, {"model.modes", "auto"}, none
   };
 endfunction
