@@ -159,7 +159,7 @@ function text = rows_of_runs (scenes)
            "reactions of the supports over time"};
   cells = repmat ({"not yet"}, size (has));
   cells(has) = {"yes"};
-  cells{11,2} = [cells{11,2} "; a bound where its curvature jumps or it is thick"];
+  cells{11,2} = [cells{11,2} "; a bound where it is thick"];
   cells{11,4} = "it drops nothing";
   text = "";
   for j = 1:numel (names)

@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{metres} =} bound_of_curved (@var{model}, @var{V}, @var{duration})
 ## How far points of a curved rod may be off because its strains are linear in its displacements: the slope times the
 ## deformation of a motion of amplitudes @var{V} (N-by-m), and a quarter of that for each radian of the phase through
-## which the slowest mode of the @var{model} goes in the @var{duration} (s).  Of arcs drawn at random, and of the scene
-## arc_pendulum, it is 1 to 6 times how far they are off the geometrically exact rod.
+## which the slowest mode of the @var{model} goes in the @var{duration} (s).  Of arcs drawn at random it is 1 to 6 times
+## how far they are off the geometrically exact rod, of the scene hook 20 times.
 ## @end deftypefn
 
 function metres = bound_of_curved (model, V, duration)

@@ -10,12 +10,20 @@ function kind = exact_kind ()
   kind.name = "exact";
   upright = struct ("name", "plane", "inclination", pi/2, "side", 0);
   kind.has = @(given) isfield (given, "exact") && isfield (given, "surface") && isequal (given.surface, upright);
-  kind.check = @(given) setfield (check_surface_scene (rmfield (given, "exact")), "exact", given.exact);
+  kind.check = @check_exact;
   kind.far_richer = @(scene, model) min (model.numbers.modes + 4, 32);  # a smooth rod's error falls by powers
   kind.observe = @observe_exact;
   kind.describe = @describe_exact;
   kind.columns = @exact_columns;
   kind.drawing = @exact_drawing;
+endfunction
+
+## as a rod on the plane; beyond that it takes jumps of the curvature
+function scene = check_exact (given)
+  known = setfield (given, "rod", rmfield (given.rod, "curvature_breaks"));
+  scene = check_surface_scene (rmfield (known, "exact"));
+  scene.exact = given.exact;
+  scene.rod.curvature_breaks = given.rod.curvature_breaks;
 endfunction
 
 function run = observe_exact (scene, model, system, times, states)

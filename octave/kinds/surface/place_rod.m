@@ -7,17 +7,15 @@
 
 function place = place_rod (scene, surface)
   l = scene.rod.length;
-  [x, weights] = gauss_rule (quadrature_points (scene.model));
-  xi = l*x;
-  x = x.';
-  weights = weights.';
+  [xi, weights] = rod_quadrature (scene);
+  xi = xi.';
   stations = [0, xi, l];
   if (isempty (scene.initial.shape))
     alpha = laid_rod (surface, scene.rod, scene.initial.point, scene.initial.angle, stations);
   else
     alpha = values_of (scene.initial.shape, "initial.shape", numel (stations), stations);
   endif
-  q = projected (alpha(:,2:end-1), x, weights, scene.model);
+  q = projected (alpha(:,2:end-1), xi, weights, scene.model, l);
   if (! any (strcmp (scene.ends, "hinge")) && ! any (strcmp (scene.ends, "clamped")))
     Phi = zeros (0, numel (q));
   else
@@ -35,20 +33,20 @@ function place = place_rod (scene, surface)
   place.velocity = zeros (size (q));
   if (! isempty (scene.initial.velocity))
     velocity = projected (values_of (scene.initial.velocity, "initial.velocity", numel (xi), xi, alpha(:,2:end-1)), ...
-                          x, weights, scene.model);
+                          xi, weights, scene.model, l);
     place.velocity = place.basis*(place.basis.'*velocity);
   endif
 endfunction
 
-function q = projected (alpha, x, weights, model)
+function q = projected (alpha, xi, weights, model, length)
   q = [];
   for i = 1:2
-    base = sqrt (weights).*rod_functions (model, i, x, 1);
+    base = sqrt (weights/length).*rod_functions (model, i, xi.', length);
     if (cond (base) > 1e5)
       scene_error (["the first %d sines are all but polynomials of %d terms (condition number %.2g): take fewer" ...
                     " model.modes, 4 say, beside model.sines"], model.sines(i), model.modes(i), cond (base));
     endif
-    q = [q; base \ (sqrt (weights).*alpha(i,:).')];
+    q = [q; base \ (sqrt (weights/length).*alpha(i,:).')];
   endfor
 endfunction
 
