@@ -5,11 +5,11 @@
 
 function scene = ring ()
   scene.title = "A cut ring falls about its hinge";
-  scene.rod = struct ("length", 2*pi*0.2, "width", 0.02, "half_height", 0.001, "curvature", -5);
+  scene.rod = struct ("length", 2*pi*0.2, "width", 0.02, "half_height", 0.003, "curvature", -5);
   scene.model.energy = "uniaxial";
   scene.initial.phi = 0;
   scene.duration = 1.2;
-  scene.zoom = 3;
+  scene.zoom = 15;
   scene.solver.tolerance = 1e-3;
 endfunction
 
