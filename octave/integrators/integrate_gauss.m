@@ -60,7 +60,7 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
     k += count;
     at_once = min (2*at_once, most);
     y = fine(:,count);
-    system.refuse_singular (y(1:system.n), sprintf ("at t = %.4g s", ends(end)));
+    system.refuse_singular (fine(1:system.n,1:count), sprintf ("at t = %.4g s", ends(end)));
     states(:,inside) = fine(:,end-nnz (inside)+1:end);
   endwhile
 endfunction

@@ -13,16 +13,19 @@ function alpha = laid_rod (surface, rod, point, angle, stations)
   if (! (all (isfinite (slope)) && isreal (slope) && a_11*a_22 - a_12^2 > 1e-12*(a_11 + a_22)^2))
     scene_error ("initial.point is [%g %g]: the surface's chart is singular there", point);
   endif
-  settings = {lsode_options("relative tolerance"), lsode_options("absolute tolerance"), lsode_options("step limit")};
+  settings = {lsode_options("relative tolerance"), lsode_options("absolute tolerance"), lsode_options("step limit"), ...
+              lsode_options("maximum step size")};
   unwind_protect
     lsode_options ("relative tolerance", 1e-13);
     lsode_options ("absolute tolerance", 1e-13);
     lsode_options ("step limit", 1e5);
+    lsode_options ("maximum step size", stations(end)/50);  # not over a bend between straight parts
     [path, state] = lsode (@(y, s) rate (y, s, surface, rod), [point(:); slope], [0; stations(:)]);
   unwind_protect_cleanup
     lsode_options ("relative tolerance", settings{1});
     lsode_options ("absolute tolerance", settings{2});
     lsode_options ("step limit", settings{3});
+    lsode_options ("maximum step size", settings{4});
   end_unwind_protect
   if (state != 2 || ! all (isfinite (path(:))))
     scene_error ("initial.point and initial.angle lay the rod across a point where the surface's chart is singular");
@@ -55,6 +58,11 @@ endfunction
 %! first = (p(:,402) - p(:,1))/norm (p(:,402) - p(:,1));
 %! assert (first.'*(p(:,2) - p(:,1))/s(2), cos (0.7), 3e-3);
 %! assert (alpha(2,2) > alpha(2,1));
+%!test # straight, a short bend, straight
+%! bend = struct ("curvature", @(xi) 5*(xi > 0.5 & xi < 0.6), "length", 1);
+%! surface = surface_functions (struct ("name", "plane", "inclination", pi/2));
+%! alpha = laid_rod (surface, bend, [0 0], 0, [0 1]);
+%! assert (alpha(:,2), [0.5 + sin(0.5)/5 + 0.4*cos(0.5); (1 - cos (0.5))/5 + 0.4*sin(0.5)], 1e-5);
 %!test # a small circle of a sphere, of which the geodesic curvature is the tangent of its height over its radius
 %! surface = surface_functions (struct ("name", "sphere", "radius", 2));
 %! height = -2*sin (0.3);
