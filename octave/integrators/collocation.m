@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{c} =} collocation (@var{s})
 ## The collocation method at the @var{s} points of Gauss (Butcher, Math. Comp. 18, 1964; order 2s, symplectic and
 ## stable for every oscillation): a struct of points (s-by-1), A (s-by-s, integrals of the polynomials to the points),
-## AA = A*A, weights, second_weights (of the second integral, 1-by-s) and onward (s-by-s: values at the next step's
-## points).
+## AA = A*A, weights, second_weights (of the second integral, 1-by-s), onward (s-by-s: values at the next step's points)
+## and nodes, the points and the step's ends.
 ## @end deftypefn
 
 function c = collocation (s)
@@ -15,6 +15,7 @@ function c = collocation (s)
   c.AA = c.A*c.A;
   c.second_weights = c.weights*c.A;
   c.onward = ((1 + c.points).^powers)/V;
+  c.nodes = [0; c.points; 1];
 endfunction
 
 %!test # the method of two points
@@ -22,3 +23,4 @@ endfunction
 %! assert (c.A, [1/4, 1/4 - sqrt(3)/6; 1/4 + sqrt(3)/6, 1/4], 1e-14);
 %! assert (c.weights, [1 1]/2, 1e-14);
 %! assert (c.onward*c.points, 1 + c.points, 1e-13);
+%! assert (c.nodes, [0; c.points; 1]);

@@ -8,11 +8,8 @@
 ## (2n-by-steps), which need not go on from one another (multiple shooting).
 ##
 ## @var{starts}: these states, and that at the end; @var{stages}: a cell of places and velocities, as @var{a};
-## @var{tangents}: a struct of M, C and K (n-by-n, a page a stage), h, and the factors of each step's Newton matrix; of
-## one step those of a step before, where they are given and h is the same, are taken for as long as they serve.
-## @var{message}: why there are none, or "".
-##
-## Every stage has its own stiffness in Newton's matrix: what stretches turns with the rod within a step, and is stiff.
+## @var{tangents}: see @code{collocation_tangents}; of one step those of a step before, where they are given and h is the
+## same, are taken for as long as they serve.  @var{message}: why there are none, or "".
 ## @end deftypefn
 
 function [a, starts, stages, tangents, message] = collocation_stages (system, method, t, h, y, a, starts, size, ...
@@ -35,7 +32,7 @@ function [a, starts, stages, tangents, message] = collocation_stages (system, me
       return;
     endif
     if (! (rate <= 0.2 || (known && iteration == 1)))
-      tangents = tangents_of (system, method, t, h, stages, a);
+      tangents = collocation_tangents (system, method, t, h, stages, a);
     endif
     [a, starts, moved] = newton_step (method, h, tangents, R, y(1:2*rows (a)), a, starts(:,1:count));
     before = change;
@@ -82,35 +79,6 @@ endfunction
 function forces = follow (tangents, pages, places, velocity)
   for k = 1:numel (pages)
     forces(:,k) = tangents.K(:,:,pages(k))*places(:,k) + tangents.C(:,:,pages(k))*velocity;
-  endfor
-endfunction
-
-function tangents = tangents_of (system, method, t, h, stages, a)
-  tangents.h = h;
-  tangents.K = system.tangent_stiffness (t, stages{:}, a);
-  tangents.M = system.mass_matrix (stages{1});
-  tangents.C = 0*tangents.K;
-  if (system.damped)
-    tangents.C = system.tangent_damping (t, stages{:}, a);
-  endif
-  s = numel (method.points);
-  for i = 1:columns (a)/s
-    pages = s*(i - 1) + (1:s);
-    matrix = newton_matrix (method, h, tangents, pages, system.damped);
-    [factors.lower, factors.upper, factors.order] = lu (matrix, "vector");
-    tangents.factors(i) = factors;
-  endfor
-endfunction
-
-function matrix = newton_matrix (method, h, tangents, pages, damped)
-  n = rows (tangents.K);
-  for i = 1:numel (pages)
-    own = (i - 1)*n + (1:n);
-    matrix(own,:) = kron (h^2*method.AA(i,:), tangents.K(:,:,pages(i)));
-    if (damped)
-      matrix(own,:) += kron (h*method.A(i,:), tangents.C(:,:,pages(i)));
-    endif
-    matrix(own,own) += tangents.M(:,:,pages(i));
   endfor
 endfunction
 

@@ -15,7 +15,7 @@ function [states, tangents] = collocation_steps (system, method, ends, y, m, tan
   n = system.n;
   h = (ends(2) - ends(1))/m;
   last = m*(numel (ends) - 1);
-  step_of = min (1 + max (floor ((times - ends(1))/h*(1 + 4*eps)), 0), last);
+  x = min ((times - ends(1))/h, last);
   guessed = ! isempty (guess) && all (isfinite (guess(:)));
   a = zeros (n, numel (method.points));
   done = 0;
@@ -24,7 +24,7 @@ function [states, tangents] = collocation_steps (system, method, ends, y, m, tan
     count = 1;
     if (guessed)
       count = min (16, last - done);
-      nodes = columns (guess)/last;
+      nodes = numel (method.nodes);
       [a, starts] = guess_through (method, h, n, guess(:,nodes*done+(1:nodes*count)));
     else
       a *= method.onward.';
@@ -35,13 +35,9 @@ function [states, tangents] = collocation_steps (system, method, ends, y, m, tan
     if (! isempty (message))
       return;
     endif
-    power = system.power (t + h*((0:count-1) + method.points)(:).', stages{:}, a);
-    starts = states_with_work (method, h, starts, y(2*n+1:end), power);
-    inside = step_of > done & step_of <= done + count;
-    if (any (inside))
-      step = step_of(inside) - done;
-      states(:,inside) = within_step (method.points, h, starts, a, power, (times(inside) - t)/h - step + 1, step);
-    endif
+    [starts, power] = states_with_work (system, method, t, h, starts, y(2*n+1:end), stages, a);
+    inside = x >= done & x <= done + count;
+    states(:,inside) = within_step (method.points, h, starts, a, power, x(inside) - done);
     y = starts(:,end);
     done += count;
   endwhile
@@ -62,8 +58,7 @@ endfunction
 %! exact = @(t) [cos(2*(t - 1)); -2*sin(2*(t - 1)); cos(2*(t - 1)) - 1; 3*(t - 1)];
 %! in_turn = collocation_steps (oscillator (), method, ends, exact (1), 10, [], times, []);
 %! assert (in_turn, exact (times), 1e-9);
-%! [~, ~, nodes] = guess_through (method, 1, 0, []);
-%! at_nodes = 1 + ((0:19) + nodes)(:).'/20;
+%! at_nodes = 1 + ((0:19) + method.nodes)(:).'/20;
 %! at_once = collocation_steps (oscillator (), method, ends, exact (1), 10, [], times, 0.9*exact (at_nodes));
 %! assert (at_once, in_turn, 1e-11);
 %!test # none where there are no numbers

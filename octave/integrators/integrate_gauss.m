@@ -17,7 +17,6 @@
 function [states, steps] = integrate_gauss (system, times, y, solver)
   states = repmat (y, 1, numel (times));
   method = collocation (4);
-  [~, ~, nodes] = guess_through (method, 1, 0, []);
   steps = 0;
   m = 2;
   largest = system.energy_floor;
@@ -33,9 +32,9 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
     tolerance = solver.tolerance*frame/system.duration;
     pieces = max (1, floor (m/2));
     if (isfield (system, "led_states"))
-      led = system.led_states (step_times (ends, pieces, nodes));
+      led = system.led_states (step_times (ends, pieces, method.nodes));
     endif
-    wanted = [ends(2:end), step_times(ends, 2*pieces, nodes)];
+    wanted = [ends(2:end), step_times(ends, 2*pieces, method.nodes)];
     coarse = collocation_steps (system, method, ends, y, pieces, [], wanted, led);
     do
       m = 2*pieces;
@@ -43,7 +42,7 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
         stop_integration ("gauss", system, ends(1), times(end), frame/m, "its steps shrank to nothing", ...
                           sprintf ("a larger tolerance than %.2g m", solver.tolerance));
       endif
-      wanted = [ends(2:end), step_times(ends, 2*m, nodes), times(inside)];
+      wanted = [ends(2:end), step_times(ends, 2*m, method.nodes), times(inside)];
       [fine, tangents] = collocation_steps (system, method, ends, y, m, tangents, wanted, coarse(:,count+1:end));
       steps += 3*pieces*count;
       [error, largest] = error_of (system, ends, [y, fine(:,1:count)], coarse(:,1:count), tolerance, largest);

@@ -28,7 +28,7 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
     h = min (h, (times(end) - t)/to_go);
     [a, starts] = deal (repmat (a_start, 1, s), y(1:2*n));
     if (at_once > 1)
-      nodes = t + h*((0:min (to_go, at_once)-1) + [0; method.points]);
+      nodes = t + h*((0:min (to_go, at_once)-1) + method.nodes);
       [a, starts] = guess_through (method, h, n, system.led_states (nodes(:).'));
     endif
     count = columns (starts);
@@ -49,12 +49,10 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
     kept = find ([growths, 0] < 0.85, 1) - 1;
     steps += max (kept, 1);
     if (kept > 0)
-      power = system.power ((t + h*((0:count-1) + method.points))(:).', stages{:}, a);
-      starts = states_with_work (method, h, starts, y(2*n+1:end), power);
+      [starts, power] = states_with_work (system, method, t, h, starts, y(2*n+1:end), stages, a);
       inside = times > t & times <= t + kept*h*(1 + 1e-12);
-      step = max (1, min (kept, ceil ((times(inside) - t)/h*(1 - 1e-12))));
-      part = min (1, (times(inside) - t)/h - step + 1);
-      states(:,inside) = within_step (method.points, h, starts, a, power, part, step);
+      x = min (kept, (times(inside) - t)/h);
+      states(:,inside) = within_step (method.points, h, starts, a, power, x);
       y = starts(:,kept+1);
       t += kept*h;
       system.refuse_singular (starts(1:n,2:kept+1), sprintf ("at t = %.4g s", t));
@@ -84,7 +82,7 @@ endfunction
 
 function method = radau_method ()
   rule = radau_rule (5);
-  method = struct ("points", rule.c.', "A", rule.A, "AA", rule.A^2, "weights", rule.A(end,:), ...
+  method = struct ("points", rule.c.', "nodes", [0; rule.c.'], "A", rule.A, "AA", rule.A^2, "weights", rule.A(end,:), ...
                    "second_weights", rule.A(end,:)*rule.A, "e", rule.e, "g", real (rule.eigenvalues(1)));
 endfunction
 

@@ -102,17 +102,6 @@ function own = describe_rod (scene, run)
   own.rotary_inertia = logical (scene.model.rotary_inertia);
 endfunction
 
-function text = instead_of_rod (scene)
-  text = "EXACT=yes, or the option \"exact\", takes the geometrically exact rod";
-  if (! isempty (exact_scene (scene)))
-    return;
-  elseif (isempty (scene.rod.curvature))
-    text = welded_rods ();
-  else
-    text = "take a stiffer rod or smaller loads, a curved rod's strains are linear in its displacements";
-  endif
-endfunction
-
 %!test # what is stated, with what its stiffening means; a curved rod and a rigid one have none to speak of
 %! stated = rod_kind ().stated;
 %! [rung, note] = stated (check_scene (setfield (paper (), "model", "modes", [1 2])));
@@ -120,16 +109,6 @@ endfunction
 %! assert (note, "stiffening = \"auto\" is none where numbers of modes are stated");
 %! assert (nthargout (2, stated, check_scene (setfield (arc_pendulum (), "model", "modes", [1 2]))), "");
 %! assert (stated (check_scene (paper ())), []);
-%!test # the exact rod is spoken of where it can be had
-%! instead = @(varargin) rod_kind ().instead (check_scene (setfield (paper (), varargin{:})));
-%! exact = @(text) ! isempty (strfind (text, "EXACT=yes"));
-%! assert (exact (instead ("tip_mass", 1)));
-%! assert (exact (rod_kind ().instead (check_scene (spin_up ()))));
-%! assert (! exact (instead ("initial", "from", "equilibrium")));
-%! assert (! isempty (strfind (instead ("initial", "from", "equilibrium"), "weld")));
-%! assert (exact (rod_kind ().instead (check_scene (arc_pendulum ()))));
-%! thick = rod_kind ().instead (check_scene (setfield (hook (), "rod", "half_height", 0.01)));
-%! assert (! isempty (strfind (thick, "linear in its displacements")));
 %!test # how it asks for a balance, far richer models, and what is said of a run
 %! kind = rod_kind ();
 %! tighter = @(off) kind.tighter (struct ("tolerance", 1), off).tolerance;
