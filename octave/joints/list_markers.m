@@ -3,7 +3,7 @@
 ## A @var{mechanism}, of which groups and place count here (see @code{build_mechanism}), with the markers of its
 ## @var{joints}: marker_of (joints-by-2: the markers of each joint, numbered), ground (x, y, angle: those of markers
 ## on the ground, 0 of the others) and markers (markers of equal bodies at one station, a group each: group, columns
-## (of the group's bodies), numbers (of the markers), marker (as @code{rod_marker} takes it), sees_point, sees_tangent:
+## (of the group's bodies), numbers (of the markers), marker (see @code{matrix_equations}), sees_point, sees_tangent:
 ## whether a joint does).
 ## @end deftypefn
 
@@ -50,7 +50,7 @@ function groups = grouped (known, mechanism, joints)
     numbers = find (place(:,1) == pair(1) & known(:,2) == pair(2)).';
     model = mechanism.groups(pair(1)).model;
     groups(end+1) = struct ("group", pair(1), "columns", place(numbers,2).', "numbers", numbers, ...
-                            "marker", marker_at (model, pair(2)), ...
+                            "marker", model.equations.marker (model, pair(2)), ...
                             "sees_point", any_sees (joints, mechanism, numbers, "point"), ...
                             "sees_tangent", any_sees (joints, mechanism, numbers, "tangent"));
   endfor
@@ -61,15 +61,6 @@ function yes = any_sees (joints, mechanism, numbers, what)
   kinds = joint_kinds ();
   sees = arrayfun (@(joint) any (strcmp (kinds(strcmp (joint.kind, {kinds.name})).sees, what)), joints(:));
   yes = any (any (ismember (mechanism.marker_of, numbers), 2) & sees);
-endfunction
-
-function marker = marker_at (model, station)
-  [along, across] = functions_at (model.base, station);
-  [slope_1, slope_2] = slopes_at (model.base, station, model.shortening);
-  marker = struct ("shape_1", along.', "shape_2", across.', "slope_1", slope_1, "slope_2", slope_2, ...
-                   "shortening_matrix", model.shortening*shortening_at (model.base, station));
-  marker = project_arrays (marker, model.basis);
-  [marker.place_1, marker.place_2, marker.direction] = undeformed_places (model.base, station);
 endfunction
 
 %!test # equal rods at equal stations are one group

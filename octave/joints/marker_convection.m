@@ -9,7 +9,8 @@ function convection = marker_convection (mechanism, q, v)
   convection.x = convection.y = convection.angle = zeros (mechanism.marker_count, k);
   for group = mechanism.markers
     bodies = numel (group.numbers);
-    [x, y, angle] = rod_marker_convection (motion_of_group (mechanism, group, q, v), group.marker);
+    equations = mechanism.groups(group.group).model.equations;
+    [x, y, angle] = equations.marker_convection (motion_of_group (mechanism, group, q, v), group.marker);
     convection.x(group.numbers,:) = reshape (x, bodies, k);
     convection.y(group.numbers,:) = reshape (y, bodies, k);
     convection.angle(group.numbers,:) = reshape (angle, bodies, k);

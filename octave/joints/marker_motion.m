@@ -19,17 +19,18 @@ function at = marker_motion (mechanism, k, motion_of)
     i = group.numbers;
     bodies = numel (i);
     motion = motion_of (group);
+    equations = mechanism.groups(group.group).model.equations;
     index = mechanism.groups(group.group).index(:,group.columns);
     part = struct ("index", index, "numbers", i, "x_phi", 0, "y_phi", 0, "x_V", 0, "y_V", 0, "angle_V", 0);
     if (group.sees_point)
-      [x, y, x_dot, y_dot, part.x_phi, part.y_phi, part.x_V, part.y_V] = rod_marker (motion, group.marker);
+      [x, y, x_dot, y_dot, part.x_phi, part.y_phi, part.x_V, part.y_V] = equations.point (motion, group.marker);
       at.x(i,:) = reshape (x, bodies, k);
       at.y(i,:) = reshape (y, bodies, k);
       at.x_dot(i,:) = reshape (x_dot, bodies, k);
       at.y_dot(i,:) = reshape (y_dot, bodies, k);
     endif
     if (group.sees_tangent)
-      [angle, angle_dot, part.angle_V] = rod_marker_angle (motion, group.marker);
+      [angle, angle_dot, part.angle_V] = equations.tangent (motion, group.marker);
       at.angle(i,:) = reshape (angle, bodies, k);
       at.angle_dot(i,:) = reshape (angle_dot, bodies, k);
     endif

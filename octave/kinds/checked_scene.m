@@ -4,7 +4,7 @@
 ## A scene, checked and with a title, its kind (see @code{kind_of}), where its files go (see @code{take_options}), and
 ## its @var{name} (see @code{load_scene}): @var{which} and @var{options} (a cell array) are arguments as for
 ## @code{driver}; @var{change} (scene) is what is made of the scene before it is checked.
-## With the option "exact" one rod is the geometrically exact rod (see @code{exact_scene}); without it
+## With the option "exact" rods are geometrically exact (see exactly in @code{kind_of}); without it
 ## output.exact comes back as "auto" where a tolerance in metres is stated and nothing of the model, and as false.
 ## @end deftypefn
 
@@ -16,20 +16,12 @@ function [scene, kind, output, name] = checked_scene (which, options, change = @
   kind = kind_of (scene);
   scene = kind.check (scene);
   if (isequal (output.exact, true))
-    refuse_other_kind (kind, kind_of (given));
     [scene, kind] = exactly (scene, kind);
   elseif (isempty (output.exact))
-    output.exact = exact_by_default (given);
+    output.exact = exact_by_default (given, scene);
   endif
   if (isempty (scene.title))
     scene.title = name;
-  endif
-endfunction
-
-function refuse_other_kind (kind, given)
-  if (! strcmp (kind.name, given.name))
-    scene_error (["exact: this study takes a \"%s\" as a \"%s\", which has no exact rod: state the rod on an upright" ...
-                  " plane, as the scene large_swing does"], given.name, kind.name);
   endif
 endfunction
 
@@ -39,15 +31,21 @@ function [plane, kind] = exactly (scene, kind)
     scene_error ("exact: the geometrically exact rod lacks what the scene has: %s", lacks);
   endif
   kind = kind_of (plane);
-  plane = kind.check (plane);
 endfunction
 
-## a tolerance in metres is a promise; a model that is stated is meant
-function exact = exact_by_default (given)
-  stated = @(part, name, default) ! isequal (field_or (field_or (given, part, struct ()), name, default), default);
+## a tolerance in metres is a promise; a model that is stated is meant, but that some bodies are rigid
+function exact = exact_by_default (given, scene)
   exact = false;
-  if (stated ("solver", "tolerance", "pixel") && ! any (cellfun (@(name) stated ("model", name, "auto"), ...
-                                                                 {"modes", "axial", "stiffening"})))
+  if (isfield (scene, "bodies"))
+    models = [scene.bodies.model];
+  else
+    models = scene.model;
+  endif
+  stated = @(model, name) ! strcmp (field_or (model, name, "auto"), "auto");
+  fixed = arrayfun (@(model) any (cellfun (@(name) stated (model, name), {"modes", "axial", "stiffening"})), models);
+  rigid = arrayfun (@(model) isequal (field_or (model, "modes", [])(:), [0; 0]), models);
+  in_metres = ! strcmp (field_or (field_or (given, "solver", struct ()), "tolerance", "pixel"), "pixel");
+  if (in_metres && all (! fixed | rigid) && ! all (fixed))
     exact = "auto";
   endif
 endfunction
@@ -67,9 +65,13 @@ endfunction
 %! assert (exact ("tolerance", 1e-3, "modes", [0 2]), false);
 %! of = @(name) nthargout (3, @checked_scene, setfield (swing (), "model", name, "none"), {"tolerance", 1}).exact;
 %! assert ({of("axial"), of("stiffening")}, {false, false});
-%!error <exact: the geometrically exact rod lacks what the scene has: several bodies>
-%! checked_scene ("double_pendulum", {"exact", true});
+%!test # bodies, where none of them states its model but as rigid
+%! exact = @(varargin) nthargout (3, @checked_scene, chain (2), [{"tolerance", 1e-3}, varargin]).exact;
+%! assert ({exact(), exact("modes", "auto")}, {false, "auto"});
+%! scene = chain (2);
+%! [scene.bodies{1}.model.modes, scene.bodies{2}.model.modes] = deal ([0 0], "auto");
+%! assert (nthargout (3, @checked_scene, scene, {"tolerance", 1e-3}).exact, "auto");
+%! [scene, kind] = checked_scene (chain (2), {"modes", "auto", "exact", true});
+%! assert ({scene.bodies(2).model.stiffening, kind.name}, {"exact", "mechanism"});
 %!error <exact: the geometrically exact rod lacks what the scene has: a rod so thick that>
 %! checked_scene (setfield (hook (), "rod", "half_height", 0.01), {"exact", true});
-%!error <exact: this study takes a "rod" as a "mechanism", which has no exact rod>
-%! checked_scene ("swing", {"exact", true}, @scene_at_rest);

@@ -21,9 +21,6 @@
 ## text of what those are, and curve (rung), the name of the rung's curve
 ## @item far_richer (scene, model)
 ## a rung far above a model's
-## @item divided (scene)
-## [scene, points]: the scene in shorter pieces, whose models drop less, and which of its points are the scene's own (see
-## @code{mechanism_points}); or empty
 ## @item build (scene, rung)
 ## the model
 ## @item system (scene, model)
@@ -39,6 +36,8 @@
 ## @code{balanced_run})
 ## @item dropped (scene, run, reference)
 ## what all models of the ladder drop: a struct of metres, x, y and bound (see @code{dropped_error}), or empty
+## @item bound (scene, run)
+## the same (m) at most, as far as that is known without a further run, or NaN
 ## @item instead (scene)
 ## what to take where no model of the ladder will do, a text
 ## @item foreseen (scene, model)
@@ -58,7 +57,7 @@
 ## @item rungs (scene, chosen, richer)
 ## rungs around a chosen one, a cell array, up to a richer one
 ## @item exactly (scene)
-## [plane, lacks]: the scene of the geometrically exact rod (see @code{exact_scene}), or empty and what that lacks
+## [exact, lacks]: the checked scene of geometrically exact rods, or empty and what that lacks
 ## @item literal (scene)
 ## the rung of the paper's sines, 7 + 7, or empty
 ## @item sized (scene, n)

@@ -8,10 +8,15 @@
 function stress = bending_stress (rod, model, stations, V)
   stress = [];
   if (isempty (stress_unknown (rod)) && ! isempty (model.base.transversal))
-    [j, xi1] = meshgrid (model.base.transversal, stations);
-    V2 = V(numel (model.base.longitudinal)+1:end,:);
-    stress = rod_bending_stress (rod_curvature_transversal (j, xi1, model.length)*V2, rod.width, rod.half_height, ...
-                                 model.section.EI);
+    stress = rod_bending_stress (bends_at (model.base, stations)*V, rod.width, rod.half_height, model.section.EI);
+  endif
+endfunction
+
+function bends = bends_at (base, stations)
+  if (isfield (base, "axis"))
+    bends = curved_functions (base, base.axis, stations).bend;
+  else
+    [~, bends] = functions_at (base, stations, 2);
   endif
 endfunction
 

@@ -3,14 +3,15 @@
 ##   @var{tip_mass})
 ## The @var{base} functions (see @code{base_functions}) of a straight rod as those of a curved one (see
 ## @code{curved_functions}): with its axis (see @code{rod_axis}) and turned, and their @var{arrays} (see
-## @code{curved_arrays}).  @var{energy} is the scene's model.energy, @var{tip_mass} (kg) its own.
+## @code{curved_arrays}).  @var{energy} is the scene's model.energy, @var{tip_mass} (kg) its own.  The stiffness of
+## polynomials (see @code{strain_polynomials}) is that of EA and EI in any case.
 ##
 ## They are turned back so that they have no angular momentum (the frame of Tisserand): else they come near a rotation
 ## of the whole rod.  `make conditioning' shows what this makes of the mass matrix's condition.
 ## @end deftypefn
 
 function [base, arrays] = curved_base (base, rod, section, energy, tip_mass = 0)
-  if (! isempty (rod.EA) || ! strcmp (energy, "paper"))
+  if (! isempty (rod.EA) || ! strcmp (energy, "paper") || isfield (base, "polynomials"))
     by_section = [];
   else
     by_section = rod;

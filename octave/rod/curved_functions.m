@@ -3,7 +3,8 @@
 ## The base functions of a curved rod at the @var{stations} (p numbers, m), p-by-n each: u_1, u_2 (displacements along
 ## and across the frame's x), e (stretching), e_slope, chi (turning of the tangent), bend (change of the curvature).
 ## The straight rod's base functions stand for what stretches and what turns, e = v1,1 and chi = v2,1; displacements
-## are their integrals along the curve, so that bending does not stretch.
+## are their integrals along the curve, so that bending does not stretch.  With base.polynomials, true, they are
+## polynomials of Legendre for stretching and for bending (see @code{strain_polynomials}).
 ##
 ## base.turned (1-by-n), where it is there, is how far each is turned back so that it has no angular momentum.
 ## @end deftypefn
@@ -25,6 +26,10 @@ function f = curved_functions (base, axis, stations)
 endfunction
 
 function [e, e_slope, chi, bend] = straight (base, xi)
+  if (isfield (base, "polynomials"))
+    [e, e_slope, chi, bend] = strain_polynomials (numel (base.longitudinal), numel (base.transversal), xi, base.length);
+    return;
+  endif
   [j1, xi1] = meshgrid (base.longitudinal, xi);
   [j2, xi2] = meshgrid (base.transversal, xi);
   none_1 = zeros (size (j1));

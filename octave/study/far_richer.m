@@ -1,11 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{run} =} far_richer (@var{result}, @var{seconds})
-## What the scene of a @var{result} of @code{driver} truly does: the geometrically exact rod where that has it and
-## converges in so many @var{seconds} (60; see @code{exact_runs}), or else a far richer model of the same physics
+## What the scene of a @var{result} of @code{driver} truly does: geometrically exact rods where there are such and they
+## converge in so many @var{seconds} (60; see @code{exact_runs}), or else a far richer model of the same physics
 ## (see @code{richest_run}), its points moved by what all such models drop (see @code{dropped_error}), as the next
-## richer model of the ladder has it: more modes than that do not change it, but take a long time.  Of a mechanism only a
-## bound of that is known: where it is more than a twentieth of the tolerance, it is the scene in pieces, which drop less
-## of it, chosen at a quarter of the tolerance.
+## richer model of the ladder has it: more modes than that do not change it, but take a long time.
 ## @end deftypefn
 
 function run = far_richer (result, seconds = 60)
@@ -23,14 +21,6 @@ function run = far_richer (result, seconds = 60)
     like = ladder.trial (ladder.richer (result.model.rung), []);
   endif
   dropped = kind.dropped (scene, like, like);
-  if (! isempty (dropped) && dropped.bound > scene.solver.tolerance)
-    [pieces, points] = kind.divided (sharper);
-    if (! isempty (pieces))
-      evalc ("run = run_model (kind, pieces, chosen_model (kind, pieces));");
-      [run.x, run.y] = deal (run.x(points,:), run.y(points,:));
-      return;
-    endif
-  endif
   run = richest_run (kind, result.scene, result.model);
   if (! isempty (dropped))
     run.x += dropped.x;

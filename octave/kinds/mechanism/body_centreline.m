@@ -5,12 +5,12 @@
 ## @end deftypefn
 
 function [x, y] = body_centreline (model, stations, body, zoom)
-  [x, y] = centreline (model, stations, body, zoom);
+  [x, y] = model.equations.centreline (model, stations, body, zoom);
   x += body.x;
   y += body.y;
 endfunction
 
 %!test
-%! model = struct ("base", base_functions ([], 1, 2), "shortening", 0);
+%! model = struct ("base", base_functions ([], 1, 2), "shortening", 0, "equations", matrix_equations ());
 %! [x, y] = body_centreline (model, [0 1 2], struct ("phi", pi/2, "V", 0.1, "x", 3, "y", 4), 1);
 %! assert ([x, y], [3 4; 2.9 5; 3 6], 1e-12);

@@ -6,18 +6,18 @@
 
 function warnings = body_warnings (scene, run)
   warnings = {};
+  instead = mechanism_kind ().instead (scene);
   for k = 1:numel (run.history.bodies)
     body = scene.bodies(k);
-    limits = limits_of_body (scene, run, k);
-    [slope, strain] = limits(1:2).reached;
-    if (slope > limits(1).limit)
-      warnings{end+1} = sprintf (["%s bends to a slope of %.2g: the model holds below some %g; take it as several" ...
-                                  " rods welded together"], body.name, slope, limits(1).limit);
-    endif
-    if (strain > limits(2).limit)
-      warnings{end+1} = sprintf (["%s is strained by %.2g, linear elasticity holds for small strains: take smaller" ...
-                                  " loads"], body.name, strain);
-    endif
+    for limit = limits_of_body (scene, run, k)
+      if (strncmp (limit.what, "slope", 5) && limit.reached > limit.limit)
+        warnings{end+1} = sprintf (["%s bends to a slope of %.2g: the model holds below some %g; %s"], body.name, ...
+                                   limit.reached, limit.limit, instead);
+      elseif (strncmp (limit.what, "strain", 6) && limit.reached > limit.limit)
+        warnings{end+1} = sprintf (["%s is strained by %.2g, linear elasticity holds for small strains: take smaller" ...
+                                    " loads"], body.name, limit.reached);
+      endif
+    endfor
     spin = spin_warning (body, run.model.models{k}, max (abs (run.history.bodies(k).phi_dot)));
     warnings = [warnings, strcat(body.name, {": "}, spin)];
   endfor

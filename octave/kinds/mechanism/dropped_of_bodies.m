@@ -17,7 +17,9 @@ function dropped = dropped_of_bodies (scene, mechanism, history)
     body = history.bodies(k);
     index = index_of (mechanism, k);
     q(index,:) = [body.V; body.phi; body.x; body.y];
-    if (! isempty (scene.bodies(k).rod.curvature))
+    if (! isempty (model.line))
+      continue;
+    elseif (! isempty (scene.bodies(k).rod.curvature))
       metres += bound_of_curved (model, body.V, scene.duration);
     elseif (model.rung.bending > 0)
       [force(index(1:end-2),:), nearer] = of_body (model, body, scene.bodies(k).tip_mass, scene.gravity);

@@ -5,7 +5,9 @@
 ##
 ## Sines fit pinned ends that bear no force along the rod.  rung.sines holds [N1 N2]; rung.corrections and
 ## rung.elongations, where they are there, are the numbers of base functions (see @code{base_functions}) for ends that
-## bear moments and stations that bear forces.
+## bear moments and stations that bear forces.  With rung.stiffening = "exact" it is the geometrically exact rod, with
+## polynomials (see @code{strain_polynomials}) and their line (see @code{line_points}; empty for others).  equations has
+## what is asked of it (see @code{matrix_equations}).
 ## @end deftypefn
 
 function model = free_rod_model (body, rung)
@@ -18,7 +20,11 @@ function model = free_rod_model (body, rung)
     more.(name{1}) = rung.(name{1});
   endfor
   model.base = base_functions ([1:rung.sines(1), more.elongations], [1:rung.sines(2), more.corrections], model.length);
-  if (isempty (body.rod.curvature))
+  exact = strcmp (rung.stiffening, "exact");
+  if (exact)
+    model.base.polynomials = true;
+  endif
+  if (isempty (body.rod.curvature) && ! exact)
     arrays = rod_arrays (model.base, model.section, model.shortening);
     if (body.tip_mass > 0)
       arrays = add_point_mass (arrays, model.base, model.length, body.tip_mass, model.shortening);
@@ -31,6 +37,12 @@ function model = free_rod_model (body, rung)
   model.arrays = arrays;
   model.basis = eye (columns (arrays.mass_matrix));
   model.followers = [];
+  model.line = [];
+  model.equations = matrix_equations ();
+  if (exact)
+    model.line = line_points (model.base, body.rod, model.section, body.tip_mass);
+    model.equations = exact_equations ();
+  endif
 endfunction
 
 %!test # a rigid rod with a mass at its tip

@@ -17,13 +17,7 @@ function K = geometric_stiffness (mechanism, q, F)
     motion = struct ("phi", Q(end-2,:), "V", Q(1:end-3,:));
     flat = @(x) reshape (x(i,:), 1, count);
     loads = struct ("force_x", flat (F.x), "force_y", flat (F.y), "force_angle", flat (F.angle));
-    [phi_phi, phi_V, shortening, slope_1_1, slope_1_2, slope_2_2] = rod_marker_tangent (
-      motion, loads, group.marker);
-    slope_1 = group.marker.slope_1;
-    slope_2 = group.marker.slope_2;
-    cross = slope_1*slope_2.';
-    V_V = group.marker.shortening_matrix(:)*shortening + (slope_1*slope_1.')(:)*slope_1_1 ...
-          + (cross + cross.')(:)*slope_1_2 + (slope_2*slope_2.')(:)*slope_2_2;
+    [phi_phi, phi_V, V_V] = mechanism.groups(group.group).model.equations.marker_stiffness (motion, loads, group.marker);
     own = zeros (R, R, count);
     own(1:end-1,1:end-1,:) = reshape (V_V, R - 1, R - 1, count);
     own(:,end,:) = own(end,:,:) = reshape ([phi_V; phi_phi], R, 1, count);

@@ -7,19 +7,8 @@ function f = inertia_times (mechanism, d, a)
   f = zeros (size (a));
   for g = 1:numel (mechanism.groups)
     group = mechanism.groups(g);
-    b = d.blocks{g};
-    n = rows (group.index) - 3;
-    A = reshape (a(group.index,:), n + 3, []);
-    V = A(1:n,:);
-    phi = A(n+1,:);
-    x = A(n+2,:);
-    y = A(n+3,:);
-    mass = group.model.arrays.mass;
-    product = [group.model.arrays.mass_matrix*V + b.V_phi.*phi + b.V_x.*x + b.V_y.*y
-               sum(b.V_phi.*V, 1) + b.phi_phi.*phi + b.phi_x.*x + b.phi_y.*y
-               sum(b.V_x.*V, 1) + b.phi_x.*phi + mass*x
-               sum(b.V_y.*V, 1) + b.phi_y.*phi + mass*y];
-    f(group.index,:) = reshape (product, [], columns (a));
+    A = reshape (a(group.index,:), rows (group.index), []);
+    f(group.index,:) = reshape (group.model.equations.inertia (group.model, d.blocks{g}, A), [], columns (a));
   endfor
 endfunction
 

@@ -9,7 +9,7 @@ function E = mechanism_energies (mechanism, q, v)
     [R, bodies] = size (group.index);
     Q = reshape (q(group.index,:), R, []);
     Q_dot = reshape (v(group.index,:), R, []);
-    [T, U, Z] = free_rod_energies (motion_of_rods (Q, Q_dot), group.model.arrays, mechanism.gravity);
+    [T, U, Z] = group.model.equations.energies (group.model, motion_of_rods (Q, Q_dot), mechanism.gravity);
     E += [sum(reshape (T, bodies, []), 1); sum(reshape (U, bodies, []), 1); sum(reshape (Z, bodies, []), 1)];
   endfor
 endfunction

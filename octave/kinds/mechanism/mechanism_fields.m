@@ -4,7 +4,8 @@
 ## @code{value_error}).  rod and model of a body are those of a scene with one rod (see @code{scene_fields}); joints
 ## have @code{joint_fields}.
 ##
-## pieces is how many welded pieces each straight rod is divided into (see @code{in_pieces}).
+## model.stiffening = "exact" makes a body the geometrically exact rod (see @code{exact_equations}), with polynomials
+## instead of sines; pieces is how many welded pieces each straight rod is divided into (see @code{in_pieces}).
 ## initial.x, initial.y (m) are the place of the body's end O, initial.x_dot, initial.y_dot (m/s) its velocity; without
 ## them they are what its first joint makes them.
 ## @end deftypefn
@@ -30,8 +31,9 @@ function [scene, body] = mechanism_fields ()
     "initial.y_dot",   [], "number in m/s"
     "initial.phi_dot", 0,  "number in rad/s"
   };
+  stiffening = {"model.stiffening", "auto", "\"auto\", \"exact\", \"foreshortening\" or \"none\""};
   body = [{"name", "", "text"}; of("rod."); of("tip_mass"); initial; of("initial.V"); of("model.modes");
-          of("model.energy"); of("model.axial"); of("model.stiffening"); of("model.rotary_inertia")];
+          of("model.energy"); of("model.axial"); stiffening; of("model.rotary_inertia")];
 endfunction
 
 %!test

@@ -6,14 +6,12 @@
 
 function kind = mechanism_kind ()
   kind.name = "mechanism";
-  kind.has = @(given) isfield (given, "bodies") || isfield (given, "pieces") ...
-                      || (isfield (given, "joints") && ! one_straight_rod (given));
+  kind.has = @(given) true;
   kind.check = @check_mechanism;
   kind.pixel = @(scene) plane_pixel (scene, scene.longest);
   kind.stated = @stated_rung;
   kind.ladder = @mechanism_ladder;
   kind.far_richer = @far_richer_rung;
-  kind.divided = @divided_scene;
   kind.build = @(scene, rung) build_mechanism (scene, mechanism_rungs (scene, rung.bending, rung.longitudinal));
   kind.system = @assembled_system;
   kind.led_by = @led_by_run;
@@ -21,7 +19,8 @@ function kind = mechanism_kind ()
   ## what is damped falls about as the tolerance's square root
   kind.tighter = @(solver, off) setfield (solver, "tolerance", solver.tolerance*min (max ((5e-8/off)^2, 1e-3), 0.1));
   kind.dropped = @(scene, run, reference) dropped_of_bodies (scene, run.model, run.history);
-  kind.instead = @(scene) welded_rods ();
+  kind.bound = @(scene, run) dropped_of_bodies (scene, run.model, run.history).metres;
+  kind.instead = @instead_of_bodies;
   kind.foreseen = @(scene, model) {};
   kind.describe = @describe_mechanism;
   kind.limits = @limits_of_bodies;
@@ -30,7 +29,7 @@ function kind = mechanism_kind ()
   kind.drawing = @(scene, run) mechanism_drawing (scene, run.model, run.history);
   kind.spectrum = @body_spectrum;
   kind.rungs = @rungs_around;
-  kind.exactly = @(scene) lacking ("several bodies");
+  kind.exactly = @exact_bodies;
   kind.literal = @(scene) [];
   kind.sized = @model_of_size;
   kind.at_rest = @mechanism_at_rest;
@@ -47,13 +46,6 @@ function limits = limits_of_bodies (scene, run)
   endfor
 endfunction
 
-## whose joints are springs and loads, with dampers that leave its modes apart; a curved one may have none
-function yes = one_straight_rod (given)
-  straight = isfield (given, "rod") && ! (isfield (given.rod, "curvature") && ! isempty (given.rod.curvature));
-  yes = isfield (given, "rod") && (isempty (given.joints) || (straight && are_forces (given.joints) ...
-                                                             && ! dampers_couple (given)));
-endfunction
-
 function [rung, note] = stated_rung (scene)
   rung = [];
   note = "";
@@ -68,6 +60,13 @@ function rung = same_for_all (scene, bending, longitudinal)
   rung = struct ("bending", bending*each, "longitudinal", longitudinal*each);
 endfunction
 
+function text = instead_of_bodies (scene)
+  text = welded_rods ();
+  if (! isempty (exact_bodies (scene)))
+    text = exact_instead ();
+  endif
+endfunction
+
 ## of the bodies that do not state theirs, or where all do of all
 function model = model_of_size (scene, n)
   chosen = arrayfun (@(body) ischar (body.model.modes), scene.bodies);
@@ -75,6 +74,8 @@ function model = model_of_size (scene, n)
     scene.bodies(k).model.modes = "auto";
   endfor
   rung = same_for_all (scene, n, n);
+  exact = arrayfun (@(body) strcmp (body.model.stiffening, "exact"), scene.bodies(:).');
+  rung.longitudinal(exact) = ceil (n/2);  # what is stretched is smooth
   model = build_mechanism (scene, mechanism_rungs (scene, rung.bending, rung.longitudinal));
 endfunction
 
@@ -135,7 +136,6 @@ endfunction
 %! assert (cellfun (@(rung) rung.bending(1), rungs), [0 1 2]);
 %! assert (kind.stated (scene), struct ("bending", [0 0 0], "longitudinal", [0 0 0]));
 %! assert (cellfun (@(model) model.rung.bending, kind.sized (scene, 3).models) >= 3, true (1, 3));
-%! assert (kind.has (struct ("joints", 1)));
 %!test # limits of the first body, too
 %! scene = check_mechanism (setfield (chain (2), "duration", 0.02));
 %! [model, choice] = chosen_model (mechanism_kind (), scene);

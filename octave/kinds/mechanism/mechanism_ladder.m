@@ -5,21 +5,25 @@
 ## = "auto", from what their initial state needs to 40 + 30; 0 for the others, which keep what they state.  A part is
 ## one kind of modes of one body.
 ##
+## Modes of geometrically exact bodies are polynomials, five across and one along at first; what is left out of them
+## moves the rest, too: three times as far in all.
+##
 ## A rung holds within half the tolerance: sines converge slowly where a joint acts inside a rod, so that the reference
 ## is not much better.
 ## @end deftypefn
 
 function ladder = mechanism_ladder (scene)
+  exact = arrayfun (@(body) strcmp (body.model.stiffening, "exact"), scene.bodies(:).');
   [least, most] = limits_of (scene);
+  within = @(rung) between (rung, least, most);
   open = arrayfun (@(body) ischar (body.model.modes), scene.bodies);
   ladder.share = 0.5;
   ladder.parts = parts_of (most);
-  ladder.first = @() deal (within (struct ("bending", 1, "longitudinal", 0), least, most), ...
-                           stiffening_of_bodies (scene));
+  ladder.first = @() deal (within (struct ("bending", 1 + 4*exact, "longitudinal", exact)), stiffening_of_bodies (scene));
   ladder.richer = @(rung) within (struct ("bending", ceil (1.5*rung.bending) + 2, ...
-                                          "longitudinal", 2*rung.longitudinal + 1), least, most);
-  ladder.smaller = @(rung, part) one_less (rung, part, least);
-  ladder.left_out = @(reference, rung, part) left_out_of_body (reference, rung, part, open);
+                                          "longitudinal", 2*rung.longitudinal + 1));
+  ladder.smaller = @(rung, part) within (one_less (rung, part));
+  ladder.left_out = @(reference, rung, part) (1 + 2*exact(part.body))*left_out_of_body (reference, rung, part, open);
   ladder.poorer = @(rung, reference) clearly_fewer ([rung.bending, rung.longitudinal], ...
                                                     [reference.bending, reference.longitudinal]);
   ladder.label = @label_of;
@@ -45,7 +49,7 @@ function [least, most] = limits_of (scene)
   endfor
 endfunction
 
-function rung = within (rung, least, most)
+function rung = between (rung, least, most)
   for kind = {"bending", "longitudinal"}
     rung.(kind{1}) = max (min (rung.(kind{1}), most.(kind{1})), least.(kind{1}));
   endfor
@@ -61,8 +65,8 @@ function parts = parts_of (most)
   endfor
 endfunction
 
-function rung = one_less (rung, part, least)
-  rung.(part.kind)(part.body) = max (rung.(part.kind)(part.body) - 1, least.(part.kind)(part.body));
+function rung = one_less (rung, part)
+  rung.(part.kind)(part.body)--;
 endfunction
 
 function name = name_of (rung)

@@ -22,20 +22,8 @@ function mass = mass_matrix (mechanism, d)
   mass = sparse (mechanism.n*states, mechanism.n*states);
   for g = 1:numel (mechanism.groups)
     group = mechanism.groups(g);
-    b = d.blocks{g};
     index = of_states (group.index, mechanism.n, states);
-    [R, count] = size (index);
-    own = zeros (R, R, count);
-    n = R - 3;
-    own(1:n,1:n,:) = group.model.arrays.mass_matrix(:,:,ones (1, count));
-    last = [b.V_phi; b.phi_phi; b.phi_x; b.phi_y];
-    own(:,n+1,:) = own(n+1,:,:) = reshape (last, R, 1, count);
-    own(1:n,n+2,:) = own(n+2,1:n,:) = reshape (b.V_x, n, 1, count);
-    own(1:n,n+3,:) = own(n+3,1:n,:) = reshape (b.V_y, n, 1, count);
-    own(n+2,n+2,:) = own(n+3,n+3,:) = group.model.arrays.mass;
-    own(n+1,n+2,:) = own(n+2,n+1,:) = reshape (b.phi_x, 1, 1, count);
-    own(n+1,n+3,:) = own(n+3,n+1,:) = reshape (b.phi_y, 1, 1, count);
-    mass += blocks_at (index, own, mechanism.n*states);
+    mass += blocks_at (index, group.model.equations.mass (group.model, d.blocks{g}), mechanism.n*states);
   endfor
 endfunction
 

@@ -47,6 +47,10 @@ function rung = rung_of_level (scene, k, level, longitudinal)
     rung.stiffening = "none";
   endif
   rung.corrections = rung.elongations = zeros (1, 0);
+  if (strcmp (rung.stiffening, "exact"))
+    rung.sines = [longitudinal, level];
+    return;
+  endif
   if (level > 0)
     rung.corrections = clamped_ends (scene, k);
   endif

@@ -10,8 +10,8 @@ function f = rod_convection (mechanism, q, v)
     R = rows (group.index);
     Q = reshape (q(group.index,:), R, []);
     Q_dot = reshape (v(group.index,:), R, []);
-    [V, phi, x, y] = free_rod_convection (motion_of_rods (Q, Q_dot), group.model.arrays);
-    f(group.index,:) = reshape ([V; phi; x; y], [], columns (q));
+    convection = group.model.equations.convection (group.model, motion_of_rods (Q, Q_dot));
+    f(group.index,:) = reshape (convection, [], columns (q));
   endfor
 endfunction
 

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{d} =} rod_dynamics (@var{mechanism}, @var{q}, @var{v})
 ## The free rods' equations in the states @var{q}, @var{v} (n-by-k): a struct of force (n-by-k, generalized forces: of
-## weight, stiffness, damping and motion), dissipated (1-by-k, W) and blocks (a cell a group, of what changes in the
-## mass matrix; see @code{free_rod_equations}).
+## weight, stiffness, damping and motion), dissipated (1-by-k, W) and blocks (a cell a group, of what its mass
+## matrices need; see @code{matrix_equations}).
 ## @end deftypefn
 
 function d = rod_dynamics (mechanism, q, v)
@@ -15,12 +15,10 @@ function d = rod_dynamics (mechanism, q, v)
     [R, bodies] = size (group.index);
     Q = reshape (q(group.index,:), R, []);
     Q_dot = reshape (v(group.index,:), R, []);
-    b = struct ();
-    [b.V_phi, b.V_x, b.V_y, b.phi_phi, b.phi_x, b.phi_y, force_V, force_phi, force_x, force_y, dissipated] = ...
-      free_rod_equations (motion_of_rods (Q, Q_dot), group.model.arrays, mechanism.gravity);
-    d.force(group.index,:) = reshape ([force_V; force_phi; force_x; force_y], [], k);
+    [force, dissipated, d.blocks{g}] = group.model.equations.dynamics (group.model, motion_of_rods (Q, Q_dot), ...
+                                                                       mechanism.gravity);
+    d.force(group.index,:) = reshape (force, [], k);
     d.dissipated += sum (reshape (dissipated, bodies, k), 1);
-    d.blocks{g} = b;
   endfor
 endfunction
 

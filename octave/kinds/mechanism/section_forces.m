@@ -33,7 +33,7 @@ function columns_of = of_body (model, motion, points, gravity)
   stations = stations_of (model);
   [x, y] = body_centreline (model, stations, motion, 1);
   [x_i, y_i] = body_centreline (model, points.station, motion, 1);
-  angle = arrayfun (@(station) tangent_at (model, station, motion.phi, motion.V), stations);
+  angle = arrayfun (@(station) model.equations.angle (model, station, motion.phi, motion.V), stations);
   beyond = points.station.' > stations | (stations == l & points.station.' == l);
   [weight, moment] = weights_beyond (model, motion, stations, x, gravity);
   X = beyond*points.x;

@@ -1,9 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{kind} =} exact_kind ()
 ## The geometrically exact rod in the plane, among the kinds of scenes (see @code{kind_of}): a rod on the upright plane
-## that @code{exact_scene} has made of one rod, with the columns of a rod in the plane: phi is the angle of a hub, or
-## that of a hinged rod's models: of the line from O to the tip, or, of a curved rod, by which its undeformed shape is
-## turned, so that its points have no angular momentum about that.
+## that @code{exact_scene} has made of one straight rod, with the columns and points of a rod in the plane: phi is the
+## angle of a hub, or that of a hinged rod's models, of the line from O to the tip.
 ## @end deftypefn
 
 function kind = exact_kind ()
@@ -11,20 +10,12 @@ function kind = exact_kind ()
   kind.name = "exact";
   upright = struct ("name", "plane", "inclination", pi/2, "side", 0);
   kind.has = @(given) isfield (given, "exact") && isfield (given, "surface") && isequal (given.surface, upright);
-  kind.check = @check_exact;
+  kind.check = @(given) setfield (check_surface_scene (rmfield (given, "exact")), "exact", given.exact);
   kind.far_richer = @(scene, model) min (model.numbers.modes + 4, 32);  # a smooth rod's error falls by powers
   kind.observe = @observe_exact;
   kind.describe = @describe_exact;
   kind.columns = @exact_columns;
   kind.drawing = @exact_drawing;
-endfunction
-
-## as a rod on the plane; beyond that it takes jumps of the curvature
-function scene = check_exact (given)
-  known = setfield (given, "rod", rmfield (given.rod, "curvature_breaks"));
-  scene = check_surface_scene (rmfield (known, "exact"));
-  scene.exact = given.exact;
-  scene.rod.curvature_breaks = given.rod.curvature_breaks;
 endfunction
 
 function run = observe_exact (scene, model, system, times, states)
@@ -33,41 +24,23 @@ function run = observe_exact (scene, model, system, times, states)
   [history.tip_x, history.tip_y] = deal (history.tip(1,:), history.tip(3,:));
   [history.mid_x, history.mid_y] = deal (history.mid(1,:), history.mid(3,:));
   if (isempty (scene.rotation))
-    [history.phi, history.phi_dot] = turning_of (scene, system, times, states);
+    [z, z_dot] = deal (states(1:system.n,:), states(system.n+1:2*system.n,:));
+    tip = system.fields (times, z, z_dot, z_dot, scene.rod.length);
+    history.phi = unwrap (atan2 (tip.alpha2, tip.alpha1));
+    history.phi -= 2*pi*round ((history.phi(1) - scene.exact)/(2*pi));
+    history.phi_dot = (tip.alpha1.*tip.alpha2_dot - tip.alpha2.*tip.alpha1_dot)./(tip.alpha1.^2 + tip.alpha2.^2);
   else
     turned = at_times (scene.rotation, times);
     [history.phi, history.phi_dot] = deal (turned(1,:), turned(2,:));
   endif
+  [run.x, run.y] = deal (run.x(1:5:end,:), run.z(1:5:end,:));
+  run = rmfield (run, "z");
   run.history = history;
-endfunction
-
-## the angle of the sum of masses times places, each turned back by where it is in the undeformed rod, and its rate
-function [phi, phi_dot] = turning_of (scene, system, times, states)
-  l = scene.rod.length;
-  [stations, masses, shape, tilt] = deal (l, 1, 1, 0);
-  if (! isempty (scene.rod.curvature))
-    base.axis = rod_axis (scene.rod, 16);
-    stations = [system.points; l];
-    masses = [scene.rod.rhoA*system.weights; scene.tip_mass];
-    [x, y] = undeformed_places (base, stations);
-    [~, ~, tilt] = undeformed_places (base, 0);
-    shape = (x - 1i*y).';
-  endif
-  [z, z_dot] = deal (states(1:system.n,:), states(system.n+1:2*system.n,:));
-  at = system.fields (times, z, z_dot, z_dot, stations);
-  sums = (masses.*shape).'*(at.alpha1 + 1i*at.alpha2);
-  rates = (masses.*shape).'*(at.alpha1_dot + 1i*at.alpha2_dot);
-  phi = unwrap (arg (sums)) + tilt - scene.exact(2);
-  phi -= 2*pi*round ((phi(1) - scene.exact(1))/(2*pi));
-  phi_dot = imag (rates./sums);
 endfunction
 
 function own = describe_exact (scene, run)
   own = surface_kind ().describe (scene, run);
   own.model = sprintf ("geometrically exact, %d + %d polynomials", own.modes);
-  if (any (run.model.numbers.own.count))
-    own.model = sprintf ("%s and %d + %d functions of its own", own.model, run.model.numbers.own.count);
-  endif
 endfunction
 
 function drawing = exact_drawing (scene, run)

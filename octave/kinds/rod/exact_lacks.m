@@ -17,8 +17,16 @@ function what = exact_lacks (scene)
     what = "joints but springs, forces and moments";
   elseif (strcmp (scene.model.moment_work, "chord"))
     what = "work of the moment on the chord's rotation";
-  elseif (! any (strcmp (scene.solver.name, {"auto", integrator_table({"rate", "residual"}).name})))
+  elseif (! any (strcmp (scene.solver.name, {"auto", integrator_table(forms_of (scene)).name})))
     what = sprintf ("the solver %s", scene.solver.name);
+  endif
+endfunction
+
+## on the plane, or as a body
+function forms = forms_of (scene)
+  forms = {"rate", "residual"};
+  if (! isempty (scene.rod.curvature))
+    forms = {"constrained"};
   endif
 endfunction
 
@@ -44,3 +52,5 @@ endfunction
 %! scene = setfield (swing (), "joints", {struct("kind", "torsion_spring", "stations", 0, "stiffness", 1)});
 %! [~, lacks] = exact_scene (check_scene (scene));
 %! assert (! isempty (strfind (lacks, "joints but springs")));
+%! lacks = nthargout (2, @exact_scene, check_scene (setfield (swing (), "solver", "name", "waveform")));
+%! assert (lacks, "the solver waveform");

@@ -4,7 +4,7 @@
 ## @end deftypefn
 
 function text = instead_of_rod (scene)
-  text = "EXACT=yes, or the option \"exact\", takes the geometrically exact rod";
+  text = exact_instead ();
   if (! isempty (exact_scene (scene)))
     return;
   elseif (isempty (scene.rod.curvature))

@@ -5,19 +5,20 @@
 
 function kind = rod_kind ()
   kind.name = "rod";
-  kind.has = @(given) true;
+  kind.has = @(given) ! any (isfield (given, {"bodies", "pieces"})) ...
+                      && (! isfield (given, "joints") || one_straight_rod (given));
   kind.check = @check_scene;
   kind.pixel = @(scene) plane_pixel (scene, scene.rod.length);
   kind.stated = @stated_rung;
   kind.ladder = @straight_or_curved;
   kind.far_richer = @far_richer_rung;
-  kind.divided = @(scene) deal ([], []);
   kind.build = @build_model;
   kind.system = @rod_system;
   kind.led_by = @(system, run) system;
   kind.observe = @observe_rod;
   kind.tighter = @(solver, off) setfield (solver, "tolerance", solver.tolerance*min (max (1e-7/off, 1e-3), 0.1));
   kind.dropped = @dropped_of_rod;
+  kind.bound = @bound_of_rod;
   kind.instead = @instead_of_rod;
   kind.foreseen = @spin_warning;
   kind.describe = @describe_rod;
@@ -35,12 +36,26 @@ function kind = rod_kind ()
   kind.reference = {"waveform", 1e-10};
 endfunction
 
+## whose joints are springs and loads, with dampers that leave its modes apart; a curved one may have none
+function yes = one_straight_rod (given)
+  straight = isfield (given, "rod") && ! (isfield (given.rod, "curvature") && ! isempty (given.rod.curvature));
+  yes = isfield (given, "rod") && (isempty (given.joints) || (straight && are_forces (given.joints) ...
+                                                             && ! dampers_couple (given)));
+endfunction
+
 function [rung, note] = stated_rung (scene)
   rung = [];
   note = "";
   if (isnumeric (scene.model.modes))
     rung = rung_of_scene (scene);
     note = stiffening_note (scene.model, rung.bending*isempty (scene.rod.curvature));
+  endif
+endfunction
+
+function metres = bound_of_rod (scene, run)
+  metres = NaN;
+  if (! isempty (scene.rod.curvature))
+    metres = bound_of_curved (run.model, run.history.V, scene.duration);
   endif
 endfunction
 

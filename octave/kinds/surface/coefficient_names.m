@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{names} =} coefficient_names (@var{numbers})
 ## Names of the coefficients q of a rod on a surface (1-by-N cellstr), of the @var{numbers} of polynomials, modes, and
-## sines of each of the chart's coordinates, and the rod's own (see @code{own_functions}).
+## sines of each of the chart's coordinates (a struct of 1-by-2).
 ## @end deftypefn
 
 function names = coefficient_names (numbers)
@@ -9,10 +9,9 @@ function names = coefficient_names (numbers)
 endfunction
 
 function names = numbered (name, numbers, i)
-  of = @(template, numbers) arrayfun (@(k) sprintf (template, name, k), numbers, "uniformoutput", false);
-  names = [of("%s_%d", 0:numbers.modes(i)-1), of("%s_sine_%d", 1:numbers.sines(i)), ...
-           of("%s_own_%d", 1:numbers.own.count(i))];
+  names = [arrayfun(@(k) sprintf ("%s_%d", name, k), 0:numbers.modes(i)-1, "uniformoutput", false), ...
+           arrayfun(@(k) sprintf ("%s_sine_%d", name, k), 1:numbers.sines(i), "uniformoutput", false)];
 endfunction
 
-%!assert (coefficient_names (struct ("modes", [2 1], "sines", [0 1], "own", struct ("count", [1 0]))),
-%!  {"alpha1_0", "alpha1_1", "alpha1_own_1", "alpha2_0", "alpha2_sine_1"});
+%!assert (coefficient_names (struct ("modes", [2 1], "sines", [0 1])),
+%!  {"alpha1_0", "alpha1_1", "alpha2_0", "alpha2_sine_1"});

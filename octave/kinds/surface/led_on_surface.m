@@ -10,21 +10,13 @@ function system = led_on_surface (system, run)
     return;
   endif
   model = run.model;
-  onto = system.place.basis \ between_functions (system, model);
-  q = model.place.basis*run.between.states(1:model.n,:) + model.place.start;
-  q_dot = model.place.basis*run.between.states(model.n+1:2*model.n,:);
+  [known, at] = ismember (coefficient_names (system.numbers), coefficient_names (model.numbers));
+  onto = system.place.basis \ eye (numel (known))(:,known);
+  q = (model.place.basis*run.between.states(1:model.n,:) + model.place.start)(at(known),:);
+  q_dot = (model.place.basis*run.between.states(model.n+1:2*model.n,:))(at(known),:);
   z = onto*q - system.place.basis \ system.place.start;
   path = spline (run.between.t, [z; onto*q_dot]);
   system.led_states = @(t) ppval (path, t);
-endfunction
-
-## coefficients of the one's base functions that are nearest to the other's
-function onto = between_functions (system, model)
-  for i = 1:2
-    of = @(numbers) sqrt (system.weights).*rod_functions (numbers, i, system.points, system.rod.length);
-    blocks{i} = of (system.numbers) \ of (model.numbers);
-  endfor
-  onto = blkdiag (blocks{:});
 endfunction
 
 %!function varargout = looked_at (seen, residual, varargin)

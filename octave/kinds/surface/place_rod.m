@@ -7,15 +7,17 @@
 
 function place = place_rod (scene, surface)
   l = scene.rod.length;
-  [xi, weights] = rod_quadrature (scene);
-  xi = xi.';
+  [x, weights] = gauss_rule (quadrature_points (scene.model));
+  xi = l*x;
+  x = x.';
+  weights = weights.';
   stations = [0, xi, l];
   if (isempty (scene.initial.shape))
     alpha = laid_rod (surface, scene.rod, scene.initial.point, scene.initial.angle, stations);
   else
     alpha = values_of (scene.initial.shape, "initial.shape", numel (stations), stations);
   endif
-  q = projected (alpha(:,2:end-1), xi, weights, scene.model, l);
+  q = projected (alpha(:,2:end-1), x, weights, scene.model);
   if (! any (strcmp (scene.ends, "hinge")) && ! any (strcmp (scene.ends, "clamped")))
     Phi = zeros (0, numel (q));
   else
@@ -33,20 +35,20 @@ function place = place_rod (scene, surface)
   place.velocity = zeros (size (q));
   if (! isempty (scene.initial.velocity))
     velocity = projected (values_of (scene.initial.velocity, "initial.velocity", numel (xi), xi, alpha(:,2:end-1)), ...
-                          xi, weights, scene.model, l);
+                          x, weights, scene.model);
     place.velocity = place.basis*(place.basis.'*velocity);
   endif
 endfunction
 
-function q = projected (alpha, xi, weights, model, length)
+function q = projected (alpha, x, weights, model)
   q = [];
   for i = 1:2
-    base = sqrt (weights/length).*rod_functions (model, i, xi.', length);
+    base = sqrt (weights).*rod_functions (model, i, x, 1);
     if (cond (base) > 1e5)
       scene_error (["the first %d sines are all but polynomials of %d terms (condition number %.2g): take fewer" ...
                     " model.modes, 4 say, beside model.sines"], model.sines(i), model.modes(i), cond (base));
     endif
-    q = [q; base \ (sqrt (weights/length).*alpha(i,:).')];
+    q = [q; base \ (sqrt (weights).*alpha(i,:).')];
   endfor
 endfunction
 

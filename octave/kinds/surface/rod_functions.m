@@ -3,8 +3,7 @@
 ##   @var{length})
 ## The base functions of the chart's coordinate @var{i} (1 or 2) along a rod of the @var{length} (m), and their first
 ## and second derivatives, at the stations @var{xi} (p-by-1, m), p-by-n: @var{model}.modes(i) polynomials of Legendre,
-## then @var{model}.sines(i) sines sin (k pi xi/length), then what a curved rod has of its own, @var{model}.own (see
-## @code{own_functions}).
+## then @var{model}.sines(i) sines sin (k pi xi/length).
 ## @end deftypefn
 
 function [values, slopes, seconds] = rod_functions (model, i, xi, length)
@@ -14,10 +13,6 @@ function [values, slopes, seconds] = rod_functions (model, i, xi, length)
   values = [values, sin(angle)];
   slopes = [slopes, k.*cos(angle)];
   seconds = [seconds, -k.^2.*sin(angle)];
-  if (isfield (model, "own"))
-    own = model.own.at (i, xi);
-    [values, slopes, seconds] = deal ([values, own{1}], [slopes, own{2}], [seconds, own{3}]);
-  endif
 endfunction
 
 %!test # derivatives, by differences

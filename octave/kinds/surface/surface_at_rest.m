@@ -7,7 +7,7 @@
 ## @end deftypefn
 
 function balance = surface_at_rest (scene, system, still = system.stopped ())
-  scene.model = system.numbers;
+  scene.model.modes = system.numbers.modes;
   balance.n = system.n;
   balance.multipliers = 0;
   balance.start = zeros (system.n, 1);

@@ -6,7 +6,7 @@
 ## @end deftypefn
 
 function Phi = surface_constraints (ends, model, length, slope)
-  Phi = zeros (0, columns (rod_functions (model, 1, 0, length)) + columns (rod_functions (model, 2, 0, length)));
+  Phi = zeros (0, sum (model.modes + model.sines));
   for k = 1:2
     xi = (k - 1)*length;
     [values_1, slopes_1] = rod_functions (model, 1, xi, length);

@@ -11,13 +11,13 @@ function kind = surface_kind ()
   kind.stated = @stated_rung;
   kind.ladder = @surface_ladder;
   kind.far_richer = @(scene, model) min (2*model.numbers.modes, 32);
-  kind.divided = @(scene) deal ([], []);
   kind.build = @(scene, rung) surface_rod (setfield (scene, "model", "modes", rung));
   kind.system = @(scene, model) model;
   kind.led_by = @led_on_surface;
   kind.observe = @observe_surface;
   kind.tighter = @tighter;
   kind.dropped = @(scene, run, reference) [];
+  kind.bound = @(scene, run) 0;
   kind.instead = @(scene) "";
   kind.foreseen = @(scene, model) {};
   kind.describe = @describe_surface;
@@ -81,7 +81,7 @@ function own = describe_surface (scene, run)
   own.angular_momentum_change = max (abs (history.angular_momentum - history.angular_momentum(:,1)), [], 2).';
   own.largest_strain = history.largest_strain;
   own.reaction = [min(history.reaction(:)), max(history.reaction(:))];
-  last = cumsum (numbers.modes + numbers.sines + numbers.own.count) - numbers.own.count;
+  last = cumsum (numbers.modes + numbers.sines);
   own.largest_end_coefficient = max (abs (history.q(last,:))(:))/scene.rod.length;
 endfunction
 
@@ -109,7 +109,7 @@ endfunction
 %! assert (kind.pixel (scene), 2/720, 1e-15);
 %! run.history = struct ("angular_momentum", [1 1.5 1; 0 -3 1; 7 7 7], "largest_strain", 0.01, ...
 %!                       "reaction", [3 -4; 8 1], "q", [0.1 0.1; -0.4 0.3; 0.2 0.2; 0.1 0.1; -0.2 0.6]);
-%! run.model.numbers = struct ("modes", [2 2], "sines", [0 1], "own", struct ("count", [0 0]));
+%! run.model.numbers = struct ("modes", [2 2], "sines", [0 1]);
 %! own = kind.describe (scene, run);
 %! assert (own.model, "2 + 3 base functions on the surface cone");
 %! assert ({own.surface, own.modes, own.sines, own.ends}, {scene.surface, [2 2], [0 1], scene.ends});

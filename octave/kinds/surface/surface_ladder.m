@@ -24,27 +24,21 @@ endfunction
 ## Ten times what the centreline without its last polynomials is off by: it is 1 to 70 times on the shipped scenes,
 ## fewer polynomials lock.
 function metres = left_out_of (reference, rung)
-  system = reference.model;
-  model = system.numbers;
-  stations = linspace (0, sum (system.weights), rows (reference.history.x)).';
-  last = 0;
-  for i = 1:2
-    functions = rod_functions (model, i, stations, stations(end));
-    q = reference.history.q(last+(1:columns (functions)),:);
-    last += columns (functions);
-    whole{i} = functions*q;
-    fewer{i} = functions(:,1:min (rung(1), end))*q(1:min (rung(1), end),:);
-    if (model.own.count(i) > 0)  # beyond those polynomials they are others
-      functions = [functions(:,1:rung(1)), model.own.whole(stations)];
-      fewer{i} = functions*(functions \ whole{i});
-    endif
-  endfor
-  metres = 10*distance (placed (system, fewer), placed (system, whole));
+  model = reference.model.numbers;
+  stations = linspace (0, sum (reference.model.weights), rows (reference.history.x)).';
+  number = [0:model.modes(1)-1, 0:model.modes(2)-1].';
+  q = reference.history.q;
+  all_of = placed (reference.model, stations, q);
+  metres = 10*distance (placed (reference.model, stations, q.*(number < rung(1))), all_of);
 endfunction
 
 ## in its own chart, be it one that turns
-function points = placed (system, alpha)
-  [points.x, points.y, points.z] = system.surface.position (struct ("alpha1", alpha{1}, "alpha2", alpha{2}));
+function points = placed (system, stations, q)
+  first = system.numbers.modes(1);
+  length = sum (system.weights);
+  place.alpha1 = rod_functions (system.numbers, 1, stations, length)*q(1:first,:);
+  place.alpha2 = rod_functions (system.numbers, 2, stations, length)*q(first+1:end,:);
+  [points.x, points.y, points.z] = system.surface.position (place);
 endfunction
 
 %!test # the fewest: with fewer the centreline is off by more than the tolerance

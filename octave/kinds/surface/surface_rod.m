@@ -4,28 +4,28 @@
 ## with the state y = (z; z_dot; W; D): coordinates in what the ends leave free, q = start + basis*z, their rates, work
 ## of the loads, what is dissipated.
 ##
-## Fields: n coordinates, numbers (of polynomials, modes, and sines, and the rod's own), initial_state, place (see @code{place_rod}),
+## Fields: n coordinates, numbers (of polynomials, modes, and sines), initial_state, place (see @code{place_rod}),
 ## residual (t, z, z_dot, z_ddot; see @code{surface_residual}), power (t, z, z_dot, z_ddot; see @code{surface_power}),
 ## mass_matrix (z), tangent_stiffness and tangent_damping (t, z, z_dot, z_ddot; n-by-n-by-m), damped, rate, energies
 ## (t, z, z_dot; see @code{surface_energies}), refuse_singular (z, when), size (z), the largest displacement (m) that
 ## goes with a small change of z, turn (t, z) of what moves the chart (see @code{turned_fields}), stopped () = the
 ## system in which that stands still where it is at the time, fields (t, z, z_dot, z_ddot, stations) = place, as the surface's
 ## functions take it, at stations of the rod, surface, rod and gravity (likewise), points and weights (p-by-1, m, of
-## the quadrature), degree of what is fitted to values there, a little below interpolation, against rounding, parts (what has mass: base, with its weights, and rod, of the rod and of a tip mass, a rod at one
+## the quadrature), parts (what has mass: base, with its weights, and rod, of the rod and of a tip mass, a rod at one
 ## place without stiffness), loads and springs (see @code{held_on_surface}), breaks, state_scale, mass, stiffness
 ## (linear about the start), energy_floor (J), energy_rows (of W and D in y), forms, auto, warnings, duration.
 ## @end deftypefn
 
 function system = surface_rod (scene)
   surface = surface_functions (scene.surface);
-  scene.model.own = own_functions (scene);
   r = scene.rod;
   system.place = place_rod (scene, surface);
   system.surface = surface;
-  system.numbers = struct ("modes", scene.model.modes, "sines", scene.model.sines, "own", scene.model.own);
+  system.numbers = struct ("modes", scene.model.modes, "sines", scene.model.sines);
   system.n = columns (system.place.basis);
-  [system.points, system.weights, count] = rod_quadrature (scene);
-  system.degree = count - 4;
+  [x, weights] = gauss_rule (quadrature_points (scene.model));
+  system.points = r.length*x.';
+  system.weights = r.length*weights.';
   system.rod = r;
   system.gravity = scene.gravity;
   system.duration = scene.duration;

@@ -15,8 +15,9 @@ function along = surface_section (system, z, stations)
   [along.N, along.M, along.M_normal, along.torque, moment_coupling, stretch] = system.surface.section (
     at (stations), system.rod);
   [~, inside] = system.surface.section (at (system.points), system.rod);
-  values = legendre_functions (system.degree, system.points, system.rod.length);
-  [~, slopes] = legendre_functions (system.degree, stations, system.rod.length);
+  degree = rows (inside) - 4;  # a little below interpolation, against rounding
+  values = legendre_functions (degree, system.points, system.rod.length);
+  [~, slopes] = legendre_functions (degree, stations, system.rod.length);
   slope = slopes*((values.'.*system.weights.'*values) \ (values.'*(system.weights.*inside)));
   along.Q = -(slope + moment_coupling)./stretch;
 endfunction

@@ -3,14 +3,16 @@
 ## What the @var{model} of one rod holds for, and how much of it a run's @var{history} (V and phi_dot) takes: a struct
 ## array of what, limit and reached.  It is the slope v2,1, small below the @var{steepest} (0.2), the strain v1,1 and,
 ## of a hinged rod without foreshortening, the rate of rotation that takes its stiffness: the first frequency of the
-## simply supported rod.  @var{scene} has its rod.
+## simply supported rod.  @var{scene} has its rod.  The geometrically exact rod needs a small strain only.
 ## @end deftypefn
 
 function limits = rod_limits (scene, model, history, steepest = 0.2)
   [slope, strain] = largest_slopes (model, history.V);
   limits = struct ("what", {"slope v2,1", "strain v1,1"}, "limit", {steepest, 0.01}, "reached", {slope, strain});
   turns = ! isfield (scene, "rotation") || isempty (scene.rotation);
-  if (! model.shortening && isempty (scene.rod.curvature) && turns && ! strcmp (rung_name (model.rung), "rigid"))
+  if (strcmp (model.rung.stiffening, "exact"))
+    limits = limits(2);
+  elseif (! model.shortening && isempty (scene.rod.curvature) && turns && ! strcmp (rung_name (model.rung), "rigid"))
     limits(end+1) = struct ("what", "rate of rotation [rad/s] without foreshortening", ...
                             "limit", simply_supported_frequency (scene, model), ...
                             "reached", max (abs (history.phi_dot)));

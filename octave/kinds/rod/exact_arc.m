@@ -1,0 +1,60 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{exact} =} exact_arc (@var{scene})
+## The geometrically exact rod of a checked @var{scene} of one curved rod: a checked scene of that body, on its hinge or
+## in its hub, with the same points, loads and times, whose field exact is the scene itself (see
+## @code{exact_arc_kind}).
+## @end deftypefn
+
+function exact = exact_arc (scene)
+  given = struct ("title", scene.title, "gravity", scene.gravity, "duration", scene.duration, "zoom", scene.zoom, ...
+                  "frames_per_second", scene.frames_per_second, "frame_size", scene.frame_size, ...
+                  "breaks", scene.moment_breaks, "solver", scene.solver);
+  if (isempty (scene.solver.step))
+    given.solver = rmfield (given.solver, "step");
+  endif
+  initial = struct ("phi", scene.initial.phi, "phi_dot", scene.initial.phi_dot);
+  model = struct ("energy", scene.model.energy, "rotary_inertia", scene.model.rotary_inertia, "stiffening", "exact");
+  given.bodies = {struct("rod", scene.rod, "tip_mass", scene.tip_mass, "initial", initial, "model", model)};
+  given.joints = {at_O("hinge", "revolute")};
+  if (! isempty (scene.rotation))
+    given.joints{end+1} = setfield (at_O ("hub", "angle"), "value", scene.rotation);
+  endif
+  if (any (scene.moment (load_times (scene))))
+    given.joints{end+1} = setfield (at_O ("moment", "moment"), "value", scene.moment);
+  endif
+  if (! isempty (scene.force))
+    given.joints{end+1} = setfield (at_O ("force", "force"), "value", scene.force);
+    given.joints{end}.stations = scene.force_station;
+  endif
+  exact = check_mechanism (given);
+  exact.exact = scene;
+endfunction
+
+function joint = at_O (name, kind)
+  joint = struct ("name", name, "kind", kind, "bodies", 1, "stations", 0);
+endfunction
+
+%!test # an arc that hardly bends, as its modes have it, thrown with a mass at its tip, under a moment; its angle, too
+%! scene = arc_pendulum ();
+%! scene.rod = setfield (setfield (scene.rod, "lambda", 1.2e14), "mu", 8.1e13);
+%! [scene.duration, scene.frames_per_second, scene.tip_mass] = deal (0.3, 20, 0.2);
+%! [scene.initial.phi, scene.initial.phi_dot] = deal (-3, 3);
+%! scene.moment = @(t) 2*t;
+%! evalc ("exact = driver (scene, 'exact', true, 'tolerance', 1e-5, 'output', '');");
+%! evalc ("modes = driver (scene, 'exact', false, 'modes', [2 6], 'tolerance', 1e-6, 'output', '');");
+%! assert (exact.history.phi, modes.history.phi, 1e-5); assert (exact.history.phi_dot, modes.history.phi_dot, 1e-3);
+%! assert (hypot (exact.history.tip_x - modes.history.tip_x, exact.history.tip_y - modes.history.tip_y) < 2e-5);
+%! assert (max (abs (modes.history.q(:))) > 1e-5);
+%!test # straight, a short bend, straight: it starts as it was made, without energy
+%! scene = arc_pendulum ();
+%! scene.rod = setfield (setfield (scene.rod, "curvature", @(xi) 5*(xi > 0.5 & xi < 0.6)), "curvature_breaks", [0.6 0.5]);
+%! [scene.duration, scene.gravity] = deal (0.02, 0);
+%! evalc ("result = driver (scene, 'exact', true, 'tolerance', 1e-3, 'output', '');");
+%! assert (result.history.U, 0*result.history.t, 1e-12);
+%! [x, y] = undeformed_places (struct ("axis", rod_axis (result.scene.exact.rod, 16)), scene.rod.length);
+%! assert (hypot (result.history.tip_x(1), result.history.tip_y(1)), hypot (x, y), 1e-12);
+%!test # its loads and its solver's step
+%! scene = setfield (check_scene (setfield (arc_pendulum (), "solver", "step", 1e-3)), "force", @(t) [t 1]);
+%! exact = exact_arc (setfield (scene, "force_station", 0.5));
+%! assert ({exact.joints.name}, {"hinge", "force"}); assert (exact.joints(2).stations(1), 0.5);
+%! assert (exact.solver.step, 1e-3);

@@ -1,0 +1,70 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{kind} =} exact_arc_kind ()
+## The geometrically exact curved rod, among the kinds of scenes (see @code{kind_of}): the mechanism of one body that
+## @code{exact_arc} makes of a rod, with the columns and pictures of a rod; phi is the angle of the frame in which the
+## rod's points have no angular momentum about O, to the first order (see @code{curved_base}).
+## @end deftypefn
+
+function kind = exact_arc_kind ()
+  kind = mechanism_kind ();
+  kind.name = "exact arc";
+  kind.has = @(given) isfield (given, "exact") && isstruct (given.exact);
+  kind.check = @refuse;
+  kind.ladder = @ladder_of_polynomials;
+  kind.observe = @observe_arc;
+  kind.describe = @describe_arc;
+  kind.columns = @(scene, run) rod_columns (scene.exact, run);
+  kind.drawing = @(scene, run) rod_drawing (scene.exact, run.model.models{1}, run.history);
+endfunction
+
+function scene = refuse (given)
+  scene = [];
+  scene_error ("exact is not a field of a scene: EXACT=yes, or the option \"exact\", takes the geometrically exact rod");
+endfunction
+
+function ladder = ladder_of_polynomials (scene)
+  ladder = mechanism_ladder (scene);
+  ladder.name = @(rung) sprintf ("%d + %d polynomials", rung.longitudinal, rung.bending);
+endfunction
+
+## with what a rod's history has (see measure)
+function run = observe_arc (scene, model, system, times, states)
+  run = mechanism_kind ().observe (scene, model, system, times, states);
+  history = run.history;
+  for name = {"phi", "phi_dot", "psi", "tip_psi", "V", "V_names", "tip_x", "tip_y", "mid_x", "mid_y"}
+    history.(name{1}) = history.bodies.(name{1});
+  endfor
+  [history.reaction_x, history.reaction_y] = deal (history.joints(1).reaction_x, history.joints(1).reaction_y);
+  history.torque = history.joint_points = [];
+  if (! isempty (scene.exact.rotation))
+    history.torque = history.joints(2).torque;
+  endif
+  run.history = history;
+  [run.x, run.y] = body_centreline (model.models{1}, linspace (0, scene.exact.rod.length, 21), history.bodies, 1);
+endfunction
+
+function own = describe_arc (scene, run)
+  own = describe_mechanism (scene, run);
+  rung = run.model.models{1}.rung;
+  own.model = sprintf ("geometrically exact, %d + %d polynomials", rung.longitudinal, rung.bending);
+  own.modes = [rung.longitudinal, rung.bending];
+  own.stiffening = "exact";
+endfunction
+
+%!test # its columns and panels are those of the rod, with the same motion where it hardly bends
+%! scene = setfield (setfield (arc_pendulum (), "duration", 0.1), "frames_per_second", 50);
+%! [scene.rod.lambda, scene.rod.mu] = deal (1.2e14, 8.1e13);
+%! for exact = [true false]
+%!   evalc ("result = driver (scene, 'output', '', 'exact', exact, 'tolerance', 1e-5);");
+%!   kind = kind_of (result.scene);
+%!   [names{2-exact}, table{2-exact}] = kind.columns (result.scene, result);
+%!   panels{2-exact} = kind.drawing (result.scene, result).panels;
+%! endfor
+%! for name = {"t [s]", "phi [rad]", "tip_x [m]", "psi [rad]", "mid_y [m]", "tip_psi [rad]", "T [J]"}
+%!   values = table{1}(strcmp (names{1}, name{1}),:);
+%!   assert (values, table{2}(strcmp (names{2}, name{1}),:), 1e-3*max (abs (values)) + 1e-9);
+%! endfor
+%! mean_of = @(k) mean (table{k}(strcmp (names{k}, "reaction_y [N]"),:));  # which rings
+%! assert (mean_of (1), mean_of (2), 0.03*mean_of (2));
+%! assert ({panels{1}(1:2).label}, {panels{2}(1:2).label});
+%!error <exact is not a field of a scene> driver (setfield (arc_pendulum (), "exact", struct ()), "output", "")

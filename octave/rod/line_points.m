@@ -1,0 +1,41 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{line} =} line_points (@var{base}, @var{rod}, @var{section}, @var{tip_mass})
+## The geometrically exact rod at its points, those of Gauss on equal panels, cut where its curvature jumps, and the
+## tip: how its strains and the integrals of its tangent follow from polynomials of a @var{base} with its axis (see
+## @code{strain_polynomials} and @code{curved_base}).
+##
+## Fields, for p points and n amplitudes V, of which along are of stretching: stretch, turn and bend (p-by-n, 1/m, 1/m, 1/m^2; of V), angle (p-by-1, rad,
+## of the undeformed tangent in the rod's frame), to_points (p-by-p, m: of values at the points the integrals from O to
+## each), axis (as @code{integrals_to} takes it) and points (a struct of point_mass, rotary_inertia, axial_stiffness and
+## bending_stiffness, p-by-1, as @code{rod_exact_energies} takes them).
+## @end deftypefn
+
+function line = line_points (base, rod, section, tip_mass)
+  n = numel (base.longitudinal) + numel (base.transversal);
+  line.axis = panels_between (unique ([linspace(0, base.length, 2 + ceil (n/8)), rod.curvature_breaks(:).']));
+  stations = [line.axis.xi, base.length];
+  f = curved_functions (base, base.axis, stations);
+  line.along = numel (base.longitudinal);
+  line.stretch = f.e;
+  line.turn = f.chi;
+  line.bend = f.bend;
+  [~, ~, angle] = undeformed_places (base, stations);
+  line.angle = angle(:);
+  line.to_points = [integrals_to(line.axis, stations), zeros(numel (stations), 1)];
+  lengths = [line.axis.weights, 0].';
+  line.points = struct ("point_mass", section.rhoA*lengths, "rotary_inertia", section.rhoI*lengths, ...
+                        "axial_stiffness", section.EA*lengths, "bending_stiffness", section.EI*lengths);
+  line.points.point_mass(end) = tip_mass;
+endfunction
+
+%!test # a straight rod with a mass at its tip
+%! rod = struct ("length", 2, "curvature", [], "curvature_breaks", []);
+%! section = struct ("rhoA", 3, "rhoI", 0.1, "EA", 7, "EI", 5);
+%! base = setfield (base_functions (1:2, 1:3, 2), "polynomials", true);
+%! base = curved_base (base, setfield (rod, "EA", 7), section, "uniaxial", 4);
+%! line = line_points (base, rod, section, 4);
+%! sums = structfun (@sum, line.points);
+%! assert (sums.', [3*2+4, 0.1*2, 7*2, 5*2], 1e-13);
+%! assert ((line.to_points*line.axis.xi([1:end, end]).')(end), 2, 1e-14);
+%! assert (line.angle, zeros (numel (line.angle), 1));
+%! assert (size (line.bend), [numel(line.angle), 5]);
