@@ -148,13 +148,19 @@ function [phi_phi, phi_V, V_V] = marker_stiffness (motion, loads, marker)
         + products (line.turn, line.turn)*angle_angle;
 endfunction
 
+## deformed from where the undeformed rod has its ends, but for one whose ends meet, so that drawn rods meet at joints
 function [x, y] = centreline_of (model, stations, motion, zoom)
   none = struct ("V", 0*motion.V, "V_dot", 0*motion.V, "phi", motion.phi, "phi_dot", 0*motion.phi);
-  undeformed = along_line (model.line, none);
-  at = along_line (model.line, setfield (none, "V", motion.V));
-  to = [integrals_to(model.line.axis, stations), zeros(numel (stations), 1)];
-  x = to*(undeformed.x + zoom*(at.x - undeformed.x));
-  y = to*(undeformed.y + zoom*(at.y - undeformed.y));
+  to = [integrals_to(model.line.axis, [stations(:); model.length]), zeros(numel (stations) + 1, 1)];
+  places = @(at) to*(at.x + 1i*at.y);
+  deformed = places (along_line (model.line, setfield (none, "V", motion.V)));
+  from = places (along_line (model.line, none));
+  if (abs (from(end,1)) > model.length/10)
+    from .*= deformed(end,:)./from(end,:);
+  endif
+  drawn = (from + zoom*(deformed - from))(1:end-1,:);
+  x = real (drawn);
+  y = imag (drawn);
 endfunction
 
 function psi = angle_of (model, station, phi, V)
@@ -236,7 +242,19 @@ endfunction
 %!   assert ([phi_V; phi_phi; 0 0; 0 0], by_differences (@(m) on_phi (work (m)), motion), 1e-7);
 %!   assert (reshape (V_V, 5, 5, 2)(:,2,:)(:), by_differences (@(m) on_2 (work (m)), motion)(1:5,:)(:), 1e-7);
 %! endfor
-%!test # undeformed where it is drawn without deformation
+%!test # its ends are drawn where they are, whatever the zoom; straight between them without deformation
+%! for curvature = {[], 1.1}
+%!   [model, motion] = bent_rod (curvature{1});
+%!   for zoom = [0 1 7]
+%!     [x, y] = model.equations.centreline (model, [0 1.5], motion, zoom);
+%!     ends(:,:,zoom+1) = [x; y];
+%!   endfor
+%!   assert (ends(:,:,[1 8]), ends(:,:,[2 2]), 1e-13); assert (ends([1 3],:,1), zeros (2));
+%! endfor
 %! [model, motion] = bent_rod ([]);
-%! [x, y] = model.equations.centreline (model, [0 1 1.5], motion, 0);
-%! assert ([x(:,1), y(:,1)], [0; 1; 1.5].*[cos(motion.phi(1)), sin(motion.phi(1))], 1e-14);
+%! [x, y] = model.equations.centreline (model, [0.5 1.5], motion, 0);
+%! assert ([x(1,:); y(1,:)], [x(2,:); y(2,:)]/3, 1e-14);
+%!test # a ring, whose ends meet, is drawn about its own frame
+%! [model, motion] = bent_rod (2*pi/1.5);
+%! [x, y] = model.equations.centreline (model, [0 1.5], motion, 0);
+%! assert ([x, y], zeros (2, 4), 1e-12);
