@@ -8,7 +8,7 @@
 ## welded ones each straight rod is made of, see @code{in_pieces}); "output" is the folder to write into (default
 ## output/NAME; "" writes nothing), and "pictures" (true or false) says whether there are to be more than history.csv
 ## and summary.json.  "dense" (1/s) adds dense.csv, a table like history.csv of so many times a second; "exact" (true,
-## or "auto": where what all models drop passes the tolerance) takes the geometrically exact rod for one rod,
+## or "auto": where what all models drop passes the tolerance) takes geometrically exact rods,
 ## "auto" by default where a tolerance in metres is stated and nothing of the model; "command" is what summary.json has
 ## to type for the run, where that is not this call.
 ##

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{line} =} line_points (@var{base}, @var{rod}, @var{section}, @var{tip_mass})
-## The geometrically exact rod at its points, those of Gauss on equal panels, cut where its curvature jumps, and the
-## tip: how its strains and the integrals of its tangent follow from polynomials of a @var{base} with its axis (see
+## The geometrically exact rod at its points, those of Gauss on equal panels, as many as its polynomials and its
+## undeformed shape need, cut where its curvature jumps, and the tip: how its strains and the integrals of its tangent follow from polynomials of a @var{base} with its axis (see
 ## @code{strain_polynomials} and @code{curved_base}).
 ##
 ## Fields, for p points and n amplitudes V, of which along are of stretching: stretch, turn and bend (p-by-n, 1/m, 1/m, 1/m^2; of V), angle (p-by-1, rad,
@@ -12,7 +12,11 @@
 
 function line = line_points (base, rod, section, tip_mass)
   n = numel (base.longitudinal) + numel (base.transversal);
-  line.axis = panels_between (unique ([linspace(0, base.length, 2 + ceil (n/8)), rod.curvature_breaks(:).']));
+  count = 1 + ceil (n/8);
+  do
+    line.axis = panels_between (unique ([linspace(0, base.length, count + 1), rod.curvature_breaks(:).']));
+    count *= 2;
+  until (follows (line.axis, base) || count > 128)
   stations = [line.axis.xi, base.length];
   f = curved_functions (base, base.axis, stations);
   line.along = numel (base.longitudinal);
@@ -28,6 +32,14 @@ function line = line_points (base, rod, section, tip_mass)
   line.points.point_mass(end) = tip_mass;
 endfunction
 
+## whether integrals along these points have the undeformed rod where it is
+function yes = follows (axis, base)
+  [~, ~, angle] = undeformed_places (base, axis.xi);
+  [x, y] = undeformed_places (base, axis.ends);
+  off = integrals_to (axis, axis.ends)*exp (1i*angle).' - (x + 1i*y).';
+  yes = norm (off, Inf) <= 1e-9*base.length;
+endfunction
+
 %!test # a straight rod with a mass at its tip
 %! rod = struct ("length", 2, "curvature", [], "curvature_breaks", []);
 %! section = struct ("rhoA", 3, "rhoI", 0.1, "EA", 7, "EI", 5);
@@ -39,3 +51,12 @@ endfunction
 %! assert ((line.to_points*line.axis.xi([1:end, end]).')(end), 2, 1e-14);
 %! assert (line.angle, zeros (numel (line.angle), 1));
 %! assert (size (line.bend), [numel(line.angle), 5]);
+%!test # a coil and a wave: as many points as have them where they are
+%! section = struct ("rhoA", 1, "rhoI", 0, "EA", 7, "EI", 5);
+%! for curvature = {40, @(xi) 10*cos(60*xi)}
+%!   rod = struct ("length", 1, "curvature", curvature{1}, "curvature_breaks", [], "EA", 7);
+%!   base = curved_base (setfield (base_functions (1, 1:3, 1), "polynomials", true), rod, section, "uniaxial", 0);
+%!   line = line_points (base, rod, section, 0);
+%!   [x, y] = undeformed_places (base, 1);
+%!   assert (line.to_points(end,:)*exp (1i*line.angle), x + 1i*y, 1e-8);
+%! endfor

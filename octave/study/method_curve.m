@@ -27,8 +27,10 @@ function rows = method_curve (kind, scene, model, method, reference, seconds, kn
       break;
     endif
   endfor
-  [~, order] = sort ([rows.parameter], "descend");
-  rows = rows(order);
+  if (! isempty (rows))
+    [~, order] = sort ([rows.parameter], "descend");
+    rows = rows(order);
+  endif
 endfunction
 
 function parameters = without (parameters, rows)

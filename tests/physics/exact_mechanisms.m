@@ -68,3 +68,19 @@ endfunction
 %!   off(pieces) = max (hypot (last.tip_x - exact.tip_x, last.tip_y - exact.tip_y));
 %! endfor
 %! assert (off(2)/off(4), 4, 1); assert (off(2) > 1e-4);
+%!test # an exact rod beside others, which its load leaves rigid, or which have foreshortening
+%! stiff = struct ("length", 0.1, "EA", 1e7, "EI", 1e4, "rhoA", 1);
+%! soft = struct ("length", 1, "EA", 1e6, "EI", 1, "rhoA", 0.1);
+%! model = struct ("energy", "uniaxial");
+%! scene.bodies = {struct("rod", stiff, "model", model), struct("rod", soft, "model", model)};
+%! scene.joints = {struct("kind", "weld", "bodies", 1, "stations", 0)
+%!                 struct("kind", "weld", "bodies", [2 1], "stations", [0 0.1])
+%!                 struct("kind", "force", "bodies", 1, "stations", 0.1, "value", [0 1])};
+%! [scene.duration, scene.frames_per_second, scene.solver.tolerance] = deal (0.1, 50, 1e-5);
+%! evalc ("exact = driver (scene, 'output', '');");
+%! assert (exact.summary.stiffening, {"exact", "exact"}); assert (exact.summary.modes{1}, [0 0]);
+%! assert (exact.summary.estimated_error_m <= 1e-5);
+%! scene.bodies{2}.model.stiffening = "exact";
+%! evalc ("mixed = driver (scene, 'output', '');");
+%! assert (mixed.summary.stiffening, {"foreshortening", "exact"});
+%! assert (mixed.history.bodies(2).tip_y, exact.history.bodies(2).tip_y, 2e-5);

@@ -6,7 +6,8 @@
 ## turned further (see @code{rod_dropped_angle}) hold the mechanism by its joints, springs and stiffness; how much
 ## nearer points come to the O of their rod; and a quarter of all that for each radian of the phase of what bends,
 ## which runs ahead by it.  What moves freely resists by its inertia: as far as it comes in half of the duration, or
-## within a period of the rods' rotation.  For curved ones see @code{bound_of_curved}.
+## within a period of the rods' rotation.  For curved ones see @code{bound_of_curved}; geometrically exact ones drop what
+## their section has outside the centreline (see @code{curved_thickness}), times half of the length.
 ## @end deftypefn
 
 function dropped = dropped_of_bodies (scene, mechanism, history)
@@ -18,7 +19,7 @@ function dropped = dropped_of_bodies (scene, mechanism, history)
     index = index_of (mechanism, k);
     q(index,:) = [body.V; body.phi; body.x; body.y];
     if (! isempty (model.line))
-      continue;
+      metres += curved_thickness (scene.bodies(k).rod, model.section)*model.length/2;
     elseif (! isempty (scene.bodies(k).rod.curvature))
       metres += bound_of_curved (model, body.V, scene.duration);
     elseif (model.rung.bending > 0)
@@ -72,6 +73,9 @@ function [angle, force] = angles_at_markers (mechanism, q, torque)
   angle = zeros (mechanism.marker_count, columns (q));
   force = zeros (size (q));
   for group = mechanism.markers
+    if (! isempty (mechanism.groups(group.group).model.line))
+      continue;
+    endif
     index = mechanism.groups(group.group).index(1:end-3,group.columns);
     slope = group.marker.slope_2.'*motion_of_group (mechanism, group, q, 0*q).V;
     [turned, ~, by_slope] = rod_dropped_angle (slope, 0*slope, 0*slope, 0*slope);

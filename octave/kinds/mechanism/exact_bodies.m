@@ -10,10 +10,15 @@ function [scene, lacks] = exact_bodies (scene)
   rigid = arrayfun (@(body) isequal (body.model.modes(:), [0; 0]), scene.bodies);
   deformed = arrayfun (@(body) any ([body.initial.V1(:); body.initial.V2(:); body.initial.V1_dot(:); ...
                                      body.initial.V2_dot(:)]), scene.bodies);
+  thick = arrayfun (@(body) curved_thickness (body.rod, rod_section (body.rod, body.model)) > 1e-3, scene.bodies);
   if (all (rigid))
     [scene, lacks] = lacking ("rods that bend");
   elseif (any (deformed & ! rigid))
     [scene, lacks] = lacking ("amplitudes of modes as its start");
+  elseif (any (thick & ! rigid))
+    [scene, lacks] = lacking ("a rod so thick that its curvature changes its section");
+  elseif (! any (strcmp (scene.initial.from, {"", "equilibrium"})))
+    [scene, lacks] = lacking ("another run's end as its start");
   else
     for k = find (! rigid(:).')
       scene.bodies(k).model.modes = "auto";
@@ -34,5 +39,11 @@ endfunction
 %! [none, lacks] = exact_bodies (check_mechanism (scene));
 %! assert ({none, lacks}, {[], "rods that bend"});
 %! scene.bodies{1}.model.modes = "auto";
+%! there = setfield (check_mechanism (scene), "initial", "from", "output/there");
+%! assert (nthargout (2, @exact_bodies, there), "another run's end as its start");
+%! scene.bodies{1}.rod.curvature = 3;
+%! scene.bodies{1}.rod.half_height = 0.1;
+%! lacks = @(scene) nthargout (2, @exact_bodies, check_mechanism (scene));
+%! assert (lacks (scene), "a rod so thick that its curvature changes its section");
 %! scene.bodies{1}.initial.V2 = 1e-3;
-%! assert (nthargout (2, @exact_bodies, check_mechanism (scene)), "amplitudes of modes as its start");
+%! assert (lacks (scene), "amplitudes of modes as its start");

@@ -3,6 +3,8 @@
 ## What a mechanism asks of bodies (see @code{matrix_equations}) that are geometrically exact rods by their strains (see
 ## maxima/rod/exact_line.mac): sums over the points of the model's line (see @code{line_points}).  Strain energy and
 ## damping are quadratic in the amplitudes, so that nothing that is stiff changes; places are integrals along the rod.
+## phi is the angle of the frame in which they have no angular momentum about O, to the first order (see
+## @code{curved_base}); rotary inertia is that of the tangent's turning.
 ## @end deftypefn
 
 function equations = exact_equations ()
@@ -143,7 +145,7 @@ function [phi_phi, phi_V, V_V] = marker_stiffness (motion, loads, marker)
   phi_phi = sum (angle_angle, 1);
   phi_V = line.stretch.'*stretch_angle + line.turn.'*angle_angle;
   n = columns (line.turn);
-  products = @(f, g) reshape (permute (f, [2 3 1]).*permute (g, [3 2 1]), n*n, []);
+  products = @(f, g) reshape (permute (f, [2 3 1]).*permute (g, [3 2 1]), n*n, rows (f));
   V_V = (products (line.stretch, line.turn) + products (line.turn, line.stretch))*stretch_angle ...
         + products (line.turn, line.turn)*angle_angle;
 endfunction
@@ -178,6 +180,16 @@ endfunction
 %!  motion = motion_of_rods (at (0), at (1));
 %!  gravity = 9.81;
 %!endfunction
+%!test # a rigid one, and a pull on it
+%! rod = struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 3, "rhoI", 0, "damping", 0, "curvature", [], "curvature_breaks", []);
+%! body = struct ("rod", rod, "tip_mass", 0, "model", struct ("energy", "uniaxial", "rotary_inertia", true));
+%! model = free_rod_model (body, struct ("sines", [0 0], "stiffening", "exact"));
+%! motion = motion_of_rods ([0.3 0; 1 2; 0 0], [1 0; 0 0; 0 0]);
+%! loads = struct ("force_x", [2 3], "force_y", [0 0], "force_angle", [0 0]);
+%! [phi_phi, phi_V, V_V] = model.equations.marker_stiffness (motion, loads, model.equations.marker (model, 1));
+%! assert (phi_phi, -[2 3].*cos ([0.3 0]), 1e-14); assert ({size(phi_V), size(V_V)}, {[0 2], [0 2]});
+%! [T, U] = model.equations.energies (model, motion, 0);
+%! assert (T, [0.5 0], 1e-14); assert (U, [0 0]);
 %!function q = coordinates (motion)
 %!  q = [motion.V; motion.phi; motion.x; motion.y];
 %!endfunction

@@ -48,7 +48,6 @@ function rung = rung_of_level (scene, k, level, longitudinal)
   endif
   rung.corrections = rung.elongations = zeros (1, 0);
   if (strcmp (rung.stiffening, "exact"))
-    rung.sines = [longitudinal, level];
     return;
   endif
   if (level > 0)

@@ -1,8 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{exact} =} exact_arc (@var{scene})
-## The geometrically exact rod of a checked @var{scene} of one curved rod: a checked scene of that body, on its hinge or
-## in its hub, with the same points, loads and times, whose field exact is the scene itself (see
-## @code{exact_arc_kind}).
+## The geometrically exact rod of a checked @var{scene} of one curved rod: a checked scene of that body on its hinge, with
+## the same points, loads and times, whose field exact is the scene itself (see @code{exact_arc_kind}).
 ## @end deftypefn
 
 function exact = exact_arc (scene)
@@ -16,15 +15,8 @@ function exact = exact_arc (scene)
   model = struct ("energy", scene.model.energy, "rotary_inertia", scene.model.rotary_inertia, "stiffening", "exact");
   given.bodies = {struct("rod", scene.rod, "tip_mass", scene.tip_mass, "initial", initial, "model", model)};
   given.joints = {at_O("hinge", "revolute")};
-  if (! isempty (scene.rotation))
-    given.joints{end+1} = setfield (at_O ("hub", "angle"), "value", scene.rotation);
-  endif
   if (any (scene.moment (load_times (scene))))
     given.joints{end+1} = setfield (at_O ("moment", "moment"), "value", scene.moment);
-  endif
-  if (! isempty (scene.force))
-    given.joints{end+1} = setfield (at_O ("force", "force"), "value", scene.force);
-    given.joints{end}.stations = scene.force_station;
   endif
   exact = check_mechanism (given);
   exact.exact = scene;
@@ -53,8 +45,5 @@ endfunction
 %! assert (result.history.U, 0*result.history.t, 1e-12);
 %! [x, y] = undeformed_places (struct ("axis", rod_axis (result.scene.exact.rod, 16)), scene.rod.length);
 %! assert (hypot (result.history.tip_x(1), result.history.tip_y(1)), hypot (x, y), 1e-12);
-%!test # its loads and its solver's step
-%! scene = setfield (check_scene (setfield (arc_pendulum (), "solver", "step", 1e-3)), "force", @(t) [t 1]);
-%! exact = exact_arc (setfield (scene, "force_station", 0.5));
-%! assert ({exact.joints.name}, {"hinge", "force"}); assert (exact.joints(2).stations(1), 0.5);
-%! assert (exact.solver.step, 1e-3);
+%!test # its solver's step
+%! assert (exact_arc (check_scene (setfield (arc_pendulum (), "solver", "step", 1e-3))).solver.step, 1e-3);

@@ -36,9 +36,6 @@ function run = observe_arc (scene, model, system, times, states)
   endfor
   [history.reaction_x, history.reaction_y] = deal (history.joints(1).reaction_x, history.joints(1).reaction_y);
   history.torque = history.joint_points = [];
-  if (! isempty (scene.exact.rotation))
-    history.torque = history.joints(2).torque;
-  endif
   run.history = history;
   [run.x, run.y] = body_centreline (model.models{1}, linspace (0, scene.exact.rod.length, 21), history.bodies, 1);
 endfunction

@@ -33,9 +33,8 @@ endfunction
 ## where a rod is thick against its radius, layers inside of its axis are shorter than those outside
 function what = what_curved_one_lacks (scene)
   what = "";
-  section = rod_section (scene.rod, scene.model);
   initial = scene.initial;
-  if (max (abs (rod_axis (scene.rod, 16).kappa))^2*section.EI > 1e-3*section.EA)
+  if (curved_thickness (scene.rod, rod_section (scene.rod, scene.model)) > 1e-3)
     what = "a rod so thick that its curvature changes its section";
   elseif (any ([initial.V1(:); initial.V2(:); initial.V1_dot(:); initial.V2_dot(:)]))
     what = "a deformed start of a curved axis";

@@ -29,7 +29,7 @@ function write_report (folder, drawing, scene, summary, earlier = "")
   page.summary = html_table ({}, field_rows (without (summary, ...
                                                  {"tried", "warnings", "seconds", "command", "model_reason"})));
   page.seconds = html_table ({}, [fieldnames(summary.seconds), struct2cell(summary.seconds)]);
-  page.parameters = html_table ({"field", "value"}, field_rows (scene));
+  page.parameters = html_table ({"field", "value"}, field_rows (without (scene, {"exact"})));
   page.equations = report_equations (drawing.equations);
   page.data = report_data (drawing);
   page.script = fileread (fullfile (fileparts (mfilename ("fullpath")), "report.js"));
