@@ -5,7 +5,7 @@
 ## @code{strain_polynomials} and @code{curved_base}).
 ##
 ## Fields, for p points and n amplitudes V, of which along are of stretching: stretch, turn and bend (p-by-n, 1/m, 1/m, 1/m^2; of V), angle (p-by-1, rad,
-## of the undeformed tangent in the rod's frame), to_points (p-by-p, m: of values at the points the integrals from O to
+## of the undeformed tangent in the rod's frame), offset (p-by-1, m, as @code{rod_exact_offset} takes it), to_points (p-by-p, m: of values at the points the integrals from O to
 ## each), axis (as @code{integrals_to} takes it) and points (a struct of point_mass, rotary_inertia, axial_stiffness and
 ## bending_stiffness, p-by-1, as @code{rod_exact_energies} takes them).
 ## @end deftypefn
@@ -25,9 +25,13 @@ function line = line_points (base, rod, section, tip_mass)
   line.bend = f.bend;
   [~, ~, angle] = undeformed_places (base, stations);
   line.angle = angle(:);
+  kappa = curvature_at (setfield (rod, "length", base.length), stations)(:);
+  line.offset = section.rhoI/section.rhoA*kappa;
+  line.offset(end) = 0;  # of the tip mass
   line.to_points = [integrals_to(line.axis, stations), zeros(numel (stations), 1)];
   lengths = [line.axis.weights, 0].';
-  line.points = struct ("point_mass", section.rhoA*lengths, "rotary_inertia", section.rhoI*lengths, ...
+  line.points = struct ("point_mass", section.rhoA*lengths, "rotary_inertia", ...
+                        (section.rhoI - section.rhoA*line.offset.^2).*lengths, ...
                         "axial_stiffness", section.EA*lengths, "bending_stiffness", section.EI*lengths);
   line.points.point_mass(end) = tip_mass;
 endfunction

@@ -6,8 +6,7 @@
 ## turned further (see @code{rod_dropped_angle}) hold the mechanism by its joints, springs and stiffness; how much
 ## nearer points come to the O of their rod; and a quarter of all that for each radian of the phase of what bends,
 ## which runs ahead by it.  What moves freely resists by its inertia: as far as it comes in half of the duration, or
-## within a period of the rods' rotation.  For curved ones see @code{bound_of_curved}; geometrically exact ones drop what
-## their section has outside the centreline (see @code{curved_thickness}), times half of the length.
+## within a period of the rods' rotation.  For curved ones see @code{bound_of_curved}.
 ## @end deftypefn
 
 function dropped = dropped_of_bodies (scene, mechanism, history)
@@ -19,7 +18,7 @@ function dropped = dropped_of_bodies (scene, mechanism, history)
     index = index_of (mechanism, k);
     q(index,:) = [body.V; body.phi; body.x; body.y];
     if (! isempty (model.line))
-      metres += curved_thickness (scene.bodies(k).rod, model.section)*model.length/2;
+      continue;
     elseif (! isempty (scene.bodies(k).rod.curvature))
       metres += bound_of_curved (model, body.V, scene.duration);
     elseif (model.rung.bending > 0)

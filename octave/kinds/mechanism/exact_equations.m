@@ -32,8 +32,22 @@ function at = along_line (line, motion)
    at.by_angle_x, at.by_angle_y] = rod_exact_line (at);
 endfunction
 
-## generalized forces (R-by-k) of forces and torques on the points: beyond a place they pull on what is there
+## that, and where the mass of the points is against O, its rate, and its second rate without those of the coordinates
+function at = masses_along (line, motion)
+  at = along_line (line, motion);
+  [x, y, x_rate, y_rate, x_convection, y_convection, at.own_x, at.own_y, at.own_x_dot, at.own_y_dot] = ...
+    rod_exact_offset (at, line.offset);
+  at.mass_x = line.to_points*at.x + x;
+  at.mass_y = line.to_points*at.y + y;
+  at.mass_x_dot = line.to_points*at.x_dot + x_rate;
+  at.mass_y_dot = line.to_points*at.y_dot + y_rate;
+  at.mass_x_convection = line.to_points*at.x_convection + x_convection;
+  at.mass_y_convection = line.to_points*at.y_convection + y_convection;
+endfunction
+
+## generalized forces (R-by-k) of forces and torques on the masses: beyond a place they pull on what is there
 function f = on_coordinates (line, at, force_x, force_y, torque)
+  torque += at.own_x.*force_x + at.own_y.*force_y;
   pull_x = line.to_points.'*force_x;
   pull_y = line.to_points.'*force_y;
   on_angle = at.by_angle_x.*pull_x + at.by_angle_y.*pull_y + torque;
@@ -45,10 +59,9 @@ endfunction
 
 function [force, dissipated, at] = dynamics (model, motion, gravity)
   line = model.line;
-  at = along_line (line, motion);
+  at = masses_along (line, motion);
   m = line.points.point_mass;
-  force = -on_coordinates (line, at, m.*(line.to_points*at.x_convection), ...
-                           m.*(line.to_points*at.y_convection + gravity), 0);
+  force = -on_coordinates (line, at, m.*at.mass_x_convection, m.*(at.mass_y_convection + gravity), 0);
   damping = model.arrays.damping*model.arrays.stiffness_matrix*motion.V_dot;
   force(1:end-3,:) -= model.arrays.stiffness_matrix*motion.V + damping;
   dissipated = sum (motion.V_dot.*damping, 1);
@@ -59,8 +72,8 @@ function product = inertia (model, at, a)
   stretch = line.stretch*a(1:end-3,:);
   angle = a(end-2,:) + line.turn*a(1:end-3,:);
   m = line.points.point_mass;
-  x = m.*(a(end-1,:) + line.to_points*(at.by_stretch_x.*stretch + at.by_angle_x.*angle));
-  y = m.*(a(end,:) + line.to_points*(at.by_stretch_y.*stretch + at.by_angle_y.*angle));
+  x = m.*(a(end-1,:) + line.to_points*(at.by_stretch_x.*stretch + at.by_angle_x.*angle) + at.own_x.*angle);
+  y = m.*(a(end,:) + line.to_points*(at.by_stretch_y.*stretch + at.by_angle_y.*angle) + at.own_y.*angle);
   product = on_coordinates (line, at, x, y, line.points.rotary_inertia.*angle);
 endfunction
 
@@ -78,11 +91,11 @@ endfunction
 
 function [T, U, Z] = energies (model, motion, gravity)
   line = model.line;
-  at = along_line (line, motion);
+  at = masses_along (line, motion);
   at.bend = line.bend*motion.V;
-  at.x_dot = motion.x_dot + line.to_points*at.x_dot;
-  at.y_dot = motion.y_dot + line.to_points*at.y_dot;
-  at.y = motion.y + line.to_points*at.y;
+  at.x_dot = motion.x_dot + at.mass_x_dot;
+  at.y_dot = motion.y_dot + at.mass_y_dot;
+  at.y = motion.y + at.mass_y;
   [T, U, Z] = rod_exact_energies (at, line.points, gravity);
   T = sum (T, 1);
   U = sum (U, 1);
@@ -91,13 +104,15 @@ endfunction
 
 function f = convection (model, motion)
   line = model.line;
-  at = along_line (line, motion);
+  at = masses_along (line, motion);
   m = line.points.point_mass;
-  f = on_coordinates (line, at, m.*(line.to_points*at.x_convection), m.*(line.to_points*at.y_convection), 0);
-  pull.pull_x = line.to_points.'*(m.*(motion.x_dot + line.to_points*at.x_dot));
-  pull.pull_y = line.to_points.'*(m.*(motion.y_dot + line.to_points*at.y_dot));
+  f = on_coordinates (line, at, m.*at.mass_x_convection, m.*at.mass_y_convection, 0);
+  momentum_x = m.*(motion.x_dot + at.mass_x_dot);
+  momentum_y = m.*(motion.y_dot + at.mass_y_dot);
+  pull = struct ("pull_x", line.to_points.'*momentum_x, "pull_y", line.to_points.'*momentum_y);
   [stretch_angle, angle_angle] = rod_exact_line_tangent (at, pull);
-  on_angle = stretch_angle.*at.stretch_dot + angle_angle.*at.angle_dot;
+  on_angle = stretch_angle.*at.stretch_dot + angle_angle.*at.angle_dot ...
+             + momentum_x.*at.own_x_dot + momentum_y.*at.own_y_dot;
   f(1:end-2,:) += [line.stretch.'*(stretch_angle.*at.angle_dot) + line.turn.'*on_angle; sum(on_angle, 1)];
 endfunction
 
