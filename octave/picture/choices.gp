@@ -2,8 +2,9 @@
 set logscale xy
 set format x "10^{%L}"
 set format y "10^{%L}"
-set xrange [0.8e-3:4]
-set yrange [0.8e-3:40]
+end = largest > 2 ? 2*largest : 4
+set xrange [0.8e-3:end]
+set yrange [0.8e-3:10*end]
 set xlabel "true error / tolerance"
 set ylabel "estimated error / tolerance"
 set key bottom left Left reverse samplen 2 textcolor rgb ink
