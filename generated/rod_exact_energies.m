@@ -14,7 +14,7 @@
 ## @item @var{field}.bend (n-by-times, 1/m)
 ## change of its curvature
 ## @item @var{field}.angle_dot (n-by-times, rad/s)
-## rate of its tangent's angle
+## rate of angle
 ## @item @var{field}.x_dot (n-by-times, m/s)
 ## velocity
 ## @item @var{field}.y_dot (n-by-times, m/s)

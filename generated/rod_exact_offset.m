@@ -12,7 +12,7 @@
 ## Arguments:
 ## @table @asis
 ## @item @var{field}.angle (n-by-times, rad)
-## of the tangent in the fixed frame
+## of its tangent in the fixed frame
 ## @item @var{field}.angle_dot (n-by-times, rad/s)
 ## rate of angle
 ## @item @var{offset} (n-by-1, m)

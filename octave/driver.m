@@ -30,17 +30,18 @@ endfunction
 ## what would take longer than the seconds left is given up
 function result = run_scene (given, options, left)
   start = tic ();
-  why_not = {};
   command = repeat_command (given, options);
   [scene, kind, output, name] = checked_scene (given, options);
   announce_breaks (scene.probed);
   prepare_output (output, scene);
+  exactly = @(dropped) exact_run (dropped, given, options, scene, kind, output, name);
+  why_not = {};
 
   try
     [model, choice] = chosen_model (kind, scene, left);
     announce (choice);
-    if (may_drop_more (output, kind, scene, choice))
-      [result, why_not] = exact_run (name, given, options, scene, kind.bound (scene, choice.trial));
+    if (! isempty (choice.trial))
+      [result, why_not] = exactly (kind.bound (scene, choice.trial));
       if (! isempty (result))
         return;
       endif
@@ -52,8 +53,8 @@ function result = run_scene (given, options, left)
     rethrow (err);
   end_try_catch
   summary = summarise (kind, name, scene, run, choice);
-  if (isempty (why_not) && strcmp (output.exact, "auto") && passes_all_models (summary, kind, scene))
-    [result, why_not] = exact_run (name, given, options, scene, summary.dropped_m);
+  if (isempty (why_not))
+    [result, why_not] = exactly (summary.dropped_m);
     if (! isempty (result))
       return;
     endif
@@ -69,10 +70,14 @@ function result = run_scene (given, options, left)
   result.summary = summary;
 endfunction
 
-## empty, and a warning, where it fails, or takes more than two minutes: the run of the model is there
-function [result, why_not] = exact_run (name, given, options, scene, dropped)
+## empty where the tolerance is kept by others, which drop so many metres, or where it is not to be; and, with a warning,
+## where it fails, or takes more than two minutes: the run of the model is there
+function [result, why_not] = exact_run (dropped, given, options, scene, kind, output, name)
   result = [];
   why_not = {};
+  if (! strcmp (output.exact, "auto") || ! any (dropped > scene.solver.tolerance) || isempty (kind.exactly (scene)))
+    return;
+  endif
   say ("%s: all its models drop up to %.2g m, the tolerance is %.2g m: the geometrically exact rod (EXACT=no: none)", ...
        name, dropped, scene.solver.tolerance);
   start = tic ();
@@ -82,16 +87,6 @@ function [result, why_not] = exact_run (name, given, options, scene, dropped)
     rethrow_others (err, "toolchain:integration", "toolchain:scene");
     why_not = {sprintf("the geometrically exact rod could not be run: %s", strtrim (err.message))};
   end_try_catch
-endfunction
-
-function yes = may_drop_more (output, kind, scene, choice)
-  yes = strcmp (output.exact, "auto") && ! isempty (choice.trial) ...
-        && kind.bound (scene, choice.trial) > scene.solver.tolerance && ! isempty (kind.exactly (scene));
-endfunction
-
-function yes = passes_all_models (summary, kind, scene)
-  yes = ! isempty (summary.dropped_m) && summary.dropped_m > scene.solver.tolerance ...
-        && ! isempty (kind.exactly (scene));
 endfunction
 
 %!test # a short run without files

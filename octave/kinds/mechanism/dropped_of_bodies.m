@@ -6,7 +6,8 @@
 ## turned further (see @code{rod_dropped_angle}) hold the mechanism by its joints, springs and stiffness; how much
 ## nearer points come to the O of their rod; and a quarter of all that for each radian of the phase of what bends,
 ## which runs ahead by it.  What moves freely resists by its inertia: as far as it comes in half of the duration, or
-## within a period of the rods' rotation.  For curved ones see @code{bound_of_curved}.
+## within a period of the rods' rotation.  For curved ones see @code{bound_of_curved};
+## geometrically exact ones drop nothing.
 ## @end deftypefn
 
 function dropped = dropped_of_bodies (scene, mechanism, history)
@@ -17,11 +18,9 @@ function dropped = dropped_of_bodies (scene, mechanism, history)
     body = history.bodies(k);
     index = index_of (mechanism, k);
     q(index,:) = [body.V; body.phi; body.x; body.y];
-    if (! isempty (model.line))
-      continue;
-    elseif (! isempty (scene.bodies(k).rod.curvature))
+    if (! isempty (scene.bodies(k).rod.curvature) && isempty (model.line))
       metres += bound_of_curved (model, body.V, scene.duration);
-    elseif (model.rung.bending > 0)
+    elseif (model.rung.bending > 0 && isempty (model.line))
       [force(index(1:end-2),:), nearer] = of_body (model, body, scene.bodies(k).tip_mass, scene.gravity);
       metres += nearer;
     endif

@@ -10,7 +10,7 @@ function [scene, lacks] = exact_bodies (scene)
   rigid = arrayfun (@(body) isequal (body.model.modes(:), [0; 0]), scene.bodies);
   deformed = arrayfun (@(body) any ([body.initial.V1(:); body.initial.V2(:); body.initial.V1_dot(:); ...
                                      body.initial.V2_dot(:)]), scene.bodies);
-  thick = arrayfun (@(body) curved_thickness (body.rod, rod_section (body.rod, body.model)) > 1e-3, scene.bodies);
+  thick = arrayfun (@(body) too_thick (body.rod, rod_section (body.rod, body.model)), scene.bodies);
   if (all (rigid))
     [scene, lacks] = lacking ("rods that bend");
   elseif (any (deformed & ! rigid))

@@ -34,7 +34,7 @@ endfunction
 function what = what_curved_one_lacks (scene)
   what = "";
   initial = scene.initial;
-  if (curved_thickness (scene.rod, rod_section (scene.rod, scene.model)) > 1e-3)
+  if (too_thick (scene.rod, rod_section (scene.rod, scene.model)))
     what = "a rod so thick that its curvature changes its section";
   elseif (any ([initial.V1(:); initial.V2(:); initial.V1_dot(:); initial.V2_dot(:)]))
     what = "a deformed start of a curved axis";

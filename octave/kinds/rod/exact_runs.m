@@ -14,8 +14,10 @@ function [run, converged] = exact_runs (kind, scene, seconds, near = @(run) scen
   if (isempty (exact))
     return;
   endif
-  if (strcmp (kind.name, "rod"))
-    kind = {exact_kind(), exact_arc_kind()}{1 + ! isempty (scene.rod.curvature)};
+  if (strcmp (kind.name, "rod") && isempty (scene.rod.curvature))
+    kind = exact_kind ();
+  elseif (strcmp (kind.name, "rod"))
+    kind = exact_arc_kind ();
   endif
   start = tic ();
   tolerance = exact.solver.tolerance/2;

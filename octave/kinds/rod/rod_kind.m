@@ -36,13 +36,6 @@ function kind = rod_kind ()
   kind.reference = {"waveform", 1e-10};
 endfunction
 
-## whose joints are springs and loads, with dampers that leave its modes apart; a curved one may have none
-function yes = one_straight_rod (given)
-  straight = isfield (given, "rod") && ! (isfield (given.rod, "curvature") && ! isempty (given.rod.curvature));
-  yes = isfield (given, "rod") && (isempty (given.joints) || (straight && are_forces (given.joints) ...
-                                                             && ! dampers_couple (given)));
-endfunction
-
 function [rung, note] = stated_rung (scene)
   rung = [];
   note = "";
