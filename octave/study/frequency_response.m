@@ -75,5 +75,23 @@ endfunction
 %! unwind_protect_cleanup
 %!   rmdir (folder, "s");
 %! end_unwind_protect
+%!test # an exact body with a heavy load at its tip bends as F l^3/(3 E I) has it, and its mass is not singular
+%! warning ("error", "Octave:nearly-singular-matrix", "local");
+%! warning ("error", "Octave:singular-matrix", "local");
+%! rod = struct ("length", 0.01, "EA", 8e5, "EI", 0.28, "rhoA", 3);
+%! scene.bodies = {struct("name", "beam", "rod", rod, "model", struct ("modes", [4 20], "stiffening", "exact"), ...
+%!                       "tip_mass", 1e4)};
+%! scene.joints = {struct("name", "wall", "kind", "weld", "bodies", 1, "stations", 0)
+%!                 struct("name", "load", "kind", "force", "bodies", 1, "stations", 0.01, "value", [0 0])};
+%! scene.gravity = 0;
+%! scene.duration = 1;
+%! folder = tempname (); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   evalc ("found = frequency_response (scene, 'frequencies', [1e-4 1], 'output', folder);");
+%!   [across, along] = deal (strcmp (found.outputs, "tip_y_1 [m]"), strcmp (found.inputs, "load_y [N]"));
+%!   assert (abs (found.response(across,along,1)), 0.01^3/(3*0.28), -1e-5);
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect
 %!error <frequencies is -1: it takes rising frequencies in Hz> frequency_response ("swing", "frequencies", -1)
 %!error <neither loads nor prescribed motions> frequency_response (setfield (chain (1), "duration", 1))
