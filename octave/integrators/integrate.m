@@ -8,7 +8,7 @@
 ## A system has initial_state (its coordinates first), duration (s), breaks (times in s at which its loads jump),
 ## state_scale (what each state may be off by where a point is off by 1 m), mass and stiffness (of its coordinates,
 ## linear about the start: for what is said of its frequencies), the forms of equations (a cellstr), auto (the method
-## of a solver "auto") and for each form its functions: for "rate" the function rate (t, y, interval), a column a
+## of a solver "auto") and for each form its functions: for "rate" the function rate (t, y), a column a
 ## state.
 ##
 ## Every interval between two breaks is integrated for itself, so that no step runs across a break; loads are taken
@@ -76,7 +76,7 @@ endfunction
 %!function system = pushed_mass ()   # x'' = 1 until t = 1, then 0
 %!  system = struct ("initial_state", [0; 0], "breaks", 1, "state_scale", [1; 1], ...
 %!                   "longest_step", Inf, "mass", 1, "stiffness", 0, "velocity_matrix", 1, "forms", {{"rate"}});
-%!  system.rate = @(t, y, interval) [y(2); interval(2) < 1];
+%!  system.rate = @(t, y) [y(2); t < 1];
 %!endfunction
 %!test # a jump of the load is met exactly
 %! [states, count] = integrate (pushed_mass (), [0 0.7 1.3 2], struct ("name", "ode45", "tolerance", 1e-6));
@@ -99,7 +99,7 @@ endfunction
 %!test # the relaxation has converged, too, where the longest waves of a ring couple strongly
 %! rung = struct ("sines", [3 6], "bending", 6, "longitudinal", 3, "axial", "dynamic", "stiffening", "none");
 %! scene = check_scene (setfield (setfield (ring (), "model", "modes", [3 6]), "duration", 0.1));
-%! system = rod_system (scene, build_model (scene, rung));
+%! system = rod_system (scene, build_curved_model (scene, rung));
 %! at = @(name, tolerance) integrate (system, 0:0.05:0.1, struct ("name", name, "tolerance", tolerance))(1:10,:);
 %! assert (at ("waveform", 1e-7), at ("exponential", 1e-8), 1e-7);
 %!test # a load's break is met by a mechanism: M = 1 N m until t = 0.1 s does the work M phi

@@ -100,7 +100,7 @@ endfunction
 %!function [run, asked] = of_balance (off, name, speed)   # runs whose balance is off by so much, one after the other
 %!  system = struct ("initial_state", [0; speed; 0; 0], "breaks", [], "state_scale", [1; 1; 1; 1], "duration", 1, ...
 %!                   "longest_step", Inf, "mass", 1, "stiffness", 0, "velocity_matrix", 1, "forms", {{"rate"}}, ...
-%!                   "auto", "ode45", "warnings", {{"of the system"}}, "rate", @(t, y, interval) [y(2); 0; 0; 0]);
+%!                   "auto", "ode45", "warnings", {{"of the system"}}, "rate", @(t, y) [y(2); 0; 0; 0]);
 %!  asked = containers.Map ("KeyType", "double", "ValueType", "any");
 %!  kind = struct ("system", @(scene, model) system, "tighter", @(solver, off) tightened (solver, off, asked));
 %!  kind.observe = @(scene, model, system, times, states) observed (times, off(asked.Count + 1));

@@ -22,7 +22,7 @@ function [states, moved] = both_motions (system, beside, times, solver)
   if (strcmp (table(strcmp ({table.name}, solver.name)).form, "rate"))
     n = numel (system.initial_state);
     pair = setfield (system, "initial_state", [system.initial_state; system.initial_state + beside]);
-    pair.rate = @(t, y, interval) system.rate ([t, t], reshape (y, n, 2), interval)(:);
+    pair.rate = @(t, y) system.rate ([t, t], reshape (y, n, 2))(:);
     both = integrate (pair, times, solver);
     states = both(1:n,:);
     moved = both(n+1:end,:);

@@ -21,7 +21,7 @@ function [linear, q] = about_rotation (scene, model, speed, q)
   endif
   rate = system.accelerations.rate;
   steps = 1e-4*system.state_scale(1:n);
-  accelerations = @(q, v) rate (zeros (1, columns (q)), [q; v; zeros(2, columns (q))], [0, scene.duration])(n+1:2*n,:);
+  accelerations = @(q, v) rate (zeros (1, columns (q)), [q; v; zeros(2, columns (q))])(n+1:2*n,:);
   held = 1:n - isempty (scene.rotation);  # a hinged rod's angle is free
   for sweep = 1:20
     by_q = difference_quotients (@(x) accelerations (q + x, v + 0*x), steps);

@@ -1,18 +1,17 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{accelerations} =} accelerations_of_rod (@var{n}, @var{c})
 ## The hinged rod of @var{n} coordinates in coordinates and their rates, z = (q; phi; q_dot; phi_dot; W; D), for
-## methods of structural dynamics: a struct of rate (t, z, interval), state (z) = y of @code{hinged_rod} and
+## methods of structural dynamics: a struct of rate (t, z), state (z) = y of @code{hinged_rod} and
 ## form (y) = z.  @var{c} comes from @code{rod_constants}.
 ## @end deftypefn
 
 function accelerations = accelerations_of_rod (n, c)
-  accelerations.rate = @(t, z, interval) rate (t, z, interval, n, c);
+  accelerations.rate = @(t, z) rate (t, z, n, c);
   accelerations.state = @(z) state (z, n, c);
   accelerations.form = @(y) form (y, n, c);
 endfunction
 
-function z_dot = rate (t, z, interval, n, c)
-  t = min (max (t, interval(1)), interval(2));
+function z_dot = rate (t, z, n, c)
   [m, mm, force_V, force_phi, power, dissipated] = rod_forces (
     t, z(n+1,:), z(2*n+2,:), z(1:n,:), z(n+2:2*n+1,:), c);
   [V_ddot, phi_ddot] = rod_accelerations (c.rod, m, mm, force_V, force_phi);
@@ -37,9 +36,9 @@ endfunction
 %! z = system.accelerations.form (y);
 %! assert (system.accelerations.state (z), y, 1e-12);
 %! h = 1e-6;
-%! z_dot = system.accelerations.rate (0.1, z, [0 0.3]);
+%! z_dot = system.accelerations.rate (0.1, z);
 %! moved = (system.accelerations.state (z + h*z_dot) - system.accelerations.state (z - h*z_dot))/(2*h);
-%! y_dot = system.rate (0.1, y, [0 0.3]);
+%! y_dot = system.rate (0.1, y);
 %! assert (moved, y_dot, 1e-7*norm (y_dot));
-%! both = system.accelerations.rate ([0.1 0.2], [z -z], [0 0.3]);
+%! both = system.accelerations.rate ([0.1 0.2], [z -z]);
 %! assert (both(:,1), z_dot, 1e-12*norm (z_dot));

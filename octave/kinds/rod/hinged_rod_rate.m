@@ -1,19 +1,15 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{y_dot}, @var{phi_ddot}] =} hinged_rod_rate (@var{t}, @var{y}, @var{interval}, @var{n}, @var{c})
+## @deftypefn {} {[@var{y_dot}, @var{phi_ddot}] =} hinged_rod_rate (@var{t}, @var{y}, @var{n}, @var{c})
 ## Rates of the states @var{y} (a column a time) of @code{hinged_rod} at the times @var{t} (1-by-m), and the angular
 ## acceleration of the rod's frame (rad/s^2), from @code{rod_rates}; joints' forces depend on the rate of the rotation,
 ## from @code{rod_turning}.
-##
-## Loads are taken at a time within @var{interval} = [start, end] (s), which has no jump in it.
 ## @end deftypefn
 
-function [y_dot, phi_ddot] = hinged_rod_rate (t, y, interval, n, c)
+function [y_dot, phi_ddot] = hinged_rod_rate (t, y, n, c)
   motion.V = y(1:n,:);
   motion.phi = y(n+1,:);
   motion.V_dot = y(n+2:2*n+1,:);
   motion.angular_momentum = y(2*n+2,:);
-  t = min (max (t, interval(1)), interval(2));
-  c.interval = interval;
   loads = loads_of_rod (t, motion, c);
   taken = lost = 0;
   if (! isempty (c.joined))
@@ -24,26 +20,19 @@ function [y_dot, phi_ddot] = hinged_rod_rate (t, y, interval, n, c)
   y_dot = [motion.V_dot; phi_dot; V_ddot; torque; power + taken; dissipated + lost];
 endfunction
 
-%!test # where the moment jumps, the interval says which value is meant
-%! [scene, model] = sample_rod ([7 7]);
-%! system = hinged_rod (scene, model);
-%! before = system.rate (0.3, system.initial_state, [0, 0.3 - eps]);
-%! after = system.rate (0.3, system.initial_state, [0.3 1.8]);
-%! assert (abs (before - after)(30), 90, 1e-9);
-
 %!test # a force that carries the rod's weight at its middle
 %! scene = setfield (paper (), "force", @(t) [0 7800*6e-4*9.81]); scene.force_station = 0.5; scene.moment = 0;
 %! scene.model.modes = [0 0];
 %! scene = check_scene (scene);
 %! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
-%! assert (system.rate (0, [0.3; 0; 0; 0], [0 1]), zeros (4, 1), 1e-12);
+%! assert (system.rate (0, [0.3; 0; 0; 0]), zeros (4, 1), 1e-12);
 
 %!test # at several times at once it is what it is at each
 %! scene = setfield (paper (), "force", @(t) [t, 5]); scene.model.modes = [2 3]; scene.rod.damping = 1e-4;
 %! scene = check_scene (scene);
 %! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
 %! y = 1e-3*reshape (1:42, 14, 3);
-%! together = system.rate ([0 0.1 0.2], y, [0 0.3]);
+%! together = system.rate ([0 0.1 0.2], y);
 %! for k = 1:3
-%!   assert (together(:,k), system.rate ((k - 1)/10, y(:,k), [0 0.3]), 1e-12*norm (together(:,k)));
+%!   assert (together(:,k), system.rate ((k - 1)/10, y(:,k)), 1e-12*norm (together(:,k)));
 %! endfor

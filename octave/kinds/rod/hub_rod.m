@@ -25,7 +25,7 @@ function system = hub_rod (scene, model)
   system.velocity_matrix = eye (n);
   start = initial_coordinates (scene.initial, model, -a.slope_2);
   system.initial_state = [start(1:n,1); start(1:n,2); 0; 0];
-  system.rate = @(t, y, interval) hub_rod_rate (t, y, interval, n, constants);
+  system.rate = @(t, y) hub_rod_rate (t, y, n, constants);
   system.motion = @(times, states) motion (times, states, n, constants);
   system.energies = @(phi, phi_dot, q, q_dot) rod_energies_of (phi, phi_dot, q, q_dot, constants);
   system.forces = @(t, q, v) forces (t, q, v, constants);
@@ -60,7 +60,7 @@ function found = motion (times, states, n, c)
   theta = at_times (c.rotation, times);
   within = struct ("V", found.q, "V_dot", found.q_dot);
   [found.phi, found.phi_dot] = rod_in_hub (theta(1,:), theta(2,:), within, c.rod);
-  [rates, found.torque, phi_ddot] = hub_rod_rate (times, states, c.interval, n, c);
+  [rates, found.torque, phi_ddot] = hub_rod_rate (times, states, n, c);
   [found.reaction_x, found.reaction_y] = reaction_at_O (times, found, rates(n+1:2*n,:), phi_ddot, c);
 endfunction
 

@@ -29,7 +29,7 @@ endfunction
 %!  for k = 1:states
 %!    t = 0.29*rand (); y = [0.05*randn(14, 1)./(1:14).'; 6*rand(); randn(14, 1)./(1:14).'; 10*randn(); 0; 0];
 %!    [~, p] = system.energies (y(15), y(30), y(1:14), y(16:29));
-%!    general = system.rate (t, [y(1:29); p; 0; 0], [0 0.3])(1:29);
+%!    general = system.rate (t, [y(1:29); p; 0; 0])(1:29);
 %!    literal = literal_rod_rate (t, y, scene, [7 7])(1:29);
 %!    worst = max (worst, norm (general - literal)/norm (literal));
 %!  endfor

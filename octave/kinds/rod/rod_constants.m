@@ -1,10 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{constants} =} rod_constants (@var{scene}, @var{model})
 ## What the rates and forces of a rod need besides its state: a struct of the loads moment (t) and force (t),
-## pulls_followers (whether longitudinal modes without inertia follow the force; see @code{force_at}), interval
-## ([start, end], s, without a jump of the loads: all times) and what the generated functions take: rod (the
-## @var{model}'s arrays, inverse_mass_matrix, damping and the slopes where the moment works), gravity, point (of the
-## force) and joined (of its joints: see @code{joined_rod}).
+## pulls_followers (whether longitudinal modes without inertia follow the force; see @code{force_at}), ends (s, of
+## the intervals in which no load jumps) and what the generated functions take: rod (the @var{model}'s arrays,
+## inverse_mass_matrix, damping and the slopes where the moment works), gravity, point (of the force) and joined (of
+## its joints: see @code{joined_rod}).
 ## @end deftypefn
 
 function constants = rod_constants (scene, model)
@@ -19,7 +19,7 @@ function constants = rod_constants (scene, model)
   constants.moment = watched_load ("moment", scene.moment);
   constants.force = watched_load ("force", scene.force);
   constants.pulls_followers = ! isempty (scene.force) && ! isempty (model.followers);
-  constants.interval = [0, scene.duration];
+  [~, constants.ends] = meet_breaks ([0, scene.duration], scene.moment_breaks);
   constants.point = model.force;
   constants.point.station = scene.force_station;
   constants.joined = joined_rod (model, scene.joints);
@@ -41,7 +41,7 @@ endfunction
 %!   "foreshortening");
 %! model = build_model (scene, rung);
 %! constants = rod_constants (scene, model);
-%! assert (constants.interval, [0, scene.duration]); assert (constants.gravity, scene.gravity);
+%! assert (constants.ends, [0, scene.moment_breaks, scene.duration]); assert (constants.gravity, scene.gravity);
 %! assert (constants.rod.damping, scene.rod.damping); assert (constants.rod.damping > 0);
 %! assert (constants.pulls_followers); assert (constants.force (1), [3 5]);
 %! assert (constants.moment (0.1), scene.moment (0.1)); assert (constants.point.station, 0.25);

@@ -16,20 +16,18 @@ function system = with_dropped (scene, model)
   n = columns (model.basis);
   if (isempty (scene.rotation))
     bare = system.rate;
-    system.rate = @(t, y, interval) hinged (t, y, interval, n, bare (t, y, interval), constants);
+    system.rate = @(t, y) hinged (t, y, n, bare (t, y), constants);
   else
     constants.rotation = scene.rotation;
     constants.rod.slope_1 = model.arrays.slope_1;
     constants.rod.slope_2 = model.arrays.slope_2;
     motion = system.motion;
-    system.rate = @(t, y, interval) in_hub (t, y, interval, n, constants);
+    system.rate = @(t, y) in_hub (t, y, n, constants);
     system.motion = @(times, states) without_angle (motion (times, states), constants);
   endif
 endfunction
 
-function y_dot = hinged (t, y, interval, n, y_dot, c)
-  t = min (max (t, interval(1)), interval(2));
-  c.interval = interval;
+function y_dot = hinged (t, y, n, y_dot, c)
   q = y(1:n,:);
   q_dot = y(n+2:2*n+1,:);
   phi = y(n+1,:);
@@ -42,9 +40,7 @@ function y_dot = hinged (t, y, interval, n, y_dot, c)
   y_dot(2*n+3:end,:) = 0;
 endfunction
 
-function y_dot = in_hub (t, y, interval, n, c)
-  t = min (max (t, interval(1)), interval(2));
-  c.interval = interval;
+function y_dot = in_hub (t, y, n, c)
   q = y(1:n,:);
   q_dot = y(n+1:2*n,:);
   theta = at_times (c.rotation, t);
@@ -79,7 +75,7 @@ endfunction
 %! scene.model = struct ("modes", [0 2], "stiffening", "foreshortening");
 %! scene = check_scene (scene);
 %! system = with_dropped (scene, build_model (scene, rung_of_scene (scene)));
-%! assert (system.rate ([0 1], system.initial_state(:,[1 1]), [0 1]), zeros (8, 2), 1e-12);
+%! assert (system.rate ([0 1], system.initial_state(:,[1 1])), zeros (8, 2), 1e-12);
 %!test # in a hub the tangent at O has its angle: asin of the slope, and the stretch
 %! scene = setfield (spin_up (), "duration", 2);
 %! scene.model = struct ("modes", [0 3], "stiffening", "foreshortening", "moment_work", "chord");
@@ -90,7 +86,7 @@ endfunction
 %! slope = model.arrays.slope_2.'*y(1:3);
 %! assert (system.motion (1.5, y).phi + asin (slope), scene.rotation (1.5)(1), 0.5*slope^5);
 %! scene.model.moment_work = "tangent";  # which a hub holds, whatever a moment would work on
-%! assert (with_dropped (scene, model).rate (1.5, y, [0 2]), system.rate (1.5, y, [0 2]));
+%! assert (with_dropped (scene, model).rate (1.5, y), system.rate (1.5, y));
 %!function phi = behind (scene, q)   # of the chord, where a hub has not turned
 %!  scene = check_scene (setfield (scene, "rotation", @(t) [0 0 0]));
 %!  system = with_dropped (scene, build_model (scene, rung_of_scene (scene)));
@@ -100,14 +96,14 @@ endfunction
 %!  theta = phi - behind (scene, q);
 %!  scene = check_scene (setfield (scene, "rotation", @(t) [theta, 0, theta_ddot]));
 %!  rate = with_dropped (scene, build_model (scene, rung_of_scene (scene))).rate;
-%!  q_ddot = rate (1, [q; zeros(numel (q) + 2, 1)], [0 2])(numel (q)+1:2*numel (q));
+%!  q_ddot = rate (1, [q; zeros(numel (q) + 2, 1)])(numel (q)+1:2*numel (q));
 %!endfunction
 %!test # a moment and weight, in balance but for what is dropped: as in a hub that begins to turn likewise
 %! scene = setfield (setfield (rmfield (spin_up (), {"rotation", "moment_breaks"}), "gravity", 0.2), "duration", 2);
 %! scene.model = struct ("modes", [0 3], "stiffening", "foreshortening");
 %! hinged = check_scene (setfield (scene, "moment", @(t) 12*cos (0.3) + 0*t));
 %! model = build_model (hinged, rung_of_scene (hinged));
-%! rates = @(system, x) system.rate (1, [x; zeros(6, 1)], [0 2])(5:8);
+%! rates = @(system, x) system.rate (1, [x; zeros(6, 1)])(5:8);
 %! x = fsolve (@(x) rates (rod_system (hinged, model), x), [0; 0; 0; 0.3]);
 %! [q, phi] = deal (x(1:3), x(4));
 %! found = rates (with_dropped (hinged, model), x);

@@ -32,7 +32,7 @@ function balance = surface_at_rest (scene, system, still = system.stopped ())
 endfunction
 
 function [a, lambda] = accelerations (system, t, z, v)
-  a = system.rate (t, [z; v; 0; 0], [0 system.duration])(system.n+1:2*system.n);
+  a = system.rate (t, [z; v; 0; 0])(system.n+1:2*system.n);
   lambda = zeros (0, 1);
 endfunction
 

@@ -9,7 +9,7 @@
 
 function [R, torque] = surface_support (system, times, states)
   n = system.n;
-  z_ddot = system.rate (times, states, [0, system.duration])(n+1:2*n,:);
+  z_ddot = system.rate (times, states)(n+1:2*n,:);
   [z, z_dot] = deal (states(1:n,:), states(n+1:2*n,:));
   [~, ~, force] = loads_on_surface (system, times, z);
   R = -force - springs_on_surface (system, times, z, z_dot).force;
