@@ -30,7 +30,7 @@ function [plane, kind] = exactly (scene, kind)
   if (isempty (plane))
     scene_error ("exact: the geometrically exact rod lacks what the scene has: %s", lacks);
   endif
-  kind = kind_of (plane);
+  kind = kind.of_exact ();
 endfunction
 
 ## a tolerance in metres is a promise; a model that is stated is meant, but that some bodies are rigid

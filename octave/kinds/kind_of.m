@@ -5,7 +5,7 @@
 ##
 ## @table @code
 ## @item name
-## as the summary has it: "rod", "mechanism" or "surface"
+## "rod", "curved rod", "mechanism", "surface", "exact" or "exact arc"
 ## @item has (given)
 ## whether a scene is of this kind
 ## @item check (given)
@@ -58,6 +58,8 @@
 ## rungs around a chosen one, a cell array, up to a richer one
 ## @item exactly (scene)
 ## [exact, lacks]: the checked scene of geometrically exact rods, or empty and what that lacks
+## @item of_exact ()
+## the kind of that scene
 ## @item literal (scene)
 ## the rung of the paper's sines, 7 + 7, or empty
 ## @item sized (scene, n)

@@ -19,9 +19,9 @@ endfunction
 
 %!test # as the square of the amplitudes, more in a longer run, nothing of a rigid rod
 %! scene = check_scene (arc_pendulum ());
-%! model = build_model (scene, curved_rung ([1 2]));
+%! model = build_curved_model (scene, curved_rung ([1 2]));
 %! bound = @(factor, duration) bound_of_curved (model, factor*[1e-5 2e-5; 1e-3 2e-3; 0 1e-3], duration);
 %! assert (bound (3, 1), 9*bound (1, 1), 1e-12*bound (1, 1));
 %! omega = sqrt (min (diag (model.arrays.stiffness_matrix)./diag (model.arrays.mass_matrix)));
 %! assert (bound (1, 8/omega), 3*bound (1, 0), 1e-12);
-%! assert (bound (1, 0) > 0); assert (bound_of_curved (build_model (scene, curved_rung ([0 0])), zeros (0, 2), 1), 0);
+%! assert (bound (1, 0) > 0); assert (bound_of_curved (build_curved_model (scene, curved_rung ([0 0])), zeros (0, 2), 1), 0);

@@ -20,6 +20,6 @@ endfunction
 %!test # a semicircle's ends lie half a turn apart
 %! scene.rod = struct ("length", 1, "curvature", pi, "EA", 1e6, "EI", 10, "rhoA", 1); scene.duration = 1;
 %! scene = check_scene (scene);
-%! model = build_model (scene, rung_of_scene (setfield (scene, "model", "modes", [1 1])));
+%! model = build_curved_model (scene, rung_of_scene (setfield (scene, "model", "modes", [1 1])));
 %! V = zeros (numel (model.arrays.coupling_vector), 1);
 %! assert (tangent_at (model, 1, 0.3, V) - tangent_at (model, 0, 0.3, V), pi, 1e-12);

@@ -18,7 +18,7 @@ function [tip, alone] = curved_mechanisms (count, level, tolerance, half_height 
 
   scene = struct ("duration", 0.5, "frames_per_second", 20, "solver", struct ("tolerance", tolerance));
   rod = setfield (whole.rod, "length", whole.rod.length/count);
-  chord = @(rod) build_model (check_scene (setfield (whole, "rod", rod)), struct ("sines", [0 1])).base.axis.tilt;
+  chord = @(rod) build_curved_model (check_scene (setfield (whole, "rod", rod)), curved_rung ([0 1])).base.axis.tilt;
   tangent = whole.initial.phi + chord (whole.rod);
   for k = 1:count
     body = struct ("rod", rod, "model", struct ("energy", "uniaxial", "stiffening", "none"));

@@ -31,7 +31,7 @@ endfunction
 %!  scene.model.modes = [8 40];
 %!  scene.zoom = 1;
 %!  scene = check_scene (scene);
-%!  model = build_model (scene, rung_of_scene (scene));
+%!  model = build_curved_model (scene, rung_of_scene (scene));
 %!endfunction
 %!test # hanging at rest: the change of curvature is M/EI, in closed form
 %! [scene, model] = semicircle (50);
@@ -48,7 +48,7 @@ endfunction
 %! period = 2*pi*sqrt (2*0.25/(9.81*0.5*sqrt (1 + 4/pi^2)));
 %! scene.initial.phi = -pi/2 + 1e-3;
 %! rung = struct ("sines", [0 0], "bending", 0, "longitudinal", 0, "axial", "none", "stiffening", "none");
-%! model = build_model (scene, rung);
+%! model = build_curved_model (scene, rung);
 %! scene.duration = period;
 %! states = integrate (rod_system (scene, model), [0 period], struct ("name", "ode45", "tolerance", 1e-9));
 %! assert (states(1,2), scene.initial.phi, 1e-8);
@@ -57,7 +57,7 @@ endfunction
 %! rod = setfield (setfield (E, "length", 2*l), "curvature", @(xi) pi/2/bend*(abs (xi - l) < bend/2));
 %! rod.curvature_breaks = l + [-1, 1]*bend/2;
 %! scene = check_scene (struct ("rod", rod, "duration", 0.2, "model", struct ("modes", [6 16])));
-%! model = build_model (scene, rung_of_scene (scene));
+%! model = build_curved_model (scene, rung_of_scene (scene));
 %! system = rod_system (scene, model);
 %! tilt = model.base.axis.tilt;
 %! system.initial_state(rows (model.arrays.mass_matrix) + 1) = -tilt;  # its first half lies level

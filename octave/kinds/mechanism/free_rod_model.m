@@ -11,32 +11,17 @@
 ## @end deftypefn
 
 function model = free_rod_model (body, rung)
-  model.rung = rung;
-  model.length = body.rod.length;
-  model.section = rod_section (body.rod, body.model);
-  model.shortening = double (strcmp (rung.stiffening, "foreshortening"));
   more = struct ("elongations", [], "corrections", []);
   for name = intersect (fieldnames (more), fieldnames (rung)).'
     more.(name{1}) = rung.(name{1});
   endfor
-  model.base = base_functions ([1:rung.sines(1), more.elongations], [1:rung.sines(2), more.corrections], model.length);
+  base = base_functions ([1:rung.sines(1), more.elongations], [1:rung.sines(2), more.corrections], body.rod.length);
   exact = strcmp (rung.stiffening, "exact");
   if (exact)
-    model.base.polynomials = true;
+    base.polynomials = true;
   endif
-  if (isempty (body.rod.curvature) && ! exact)
-    arrays = rod_arrays (model.base, model.section, model.shortening);
-    if (body.tip_mass > 0)
-      arrays = add_point_mass (arrays, model.base, model.length, body.tip_mass, model.shortening);
-    endif
-  else
-    [model.base, arrays] = curved_base (model.base, body.rod, model.section, body.model.energy, body.tip_mass);
-  endif
-  arrays.damping = body.rod.damping;
-  [arrays.slope_1, arrays.slope_2] = slopes_at (model.base, 0, model.shortening);
-  model.arrays = arrays;
-  model.basis = eye (columns (arrays.mass_matrix));
-  model.followers = [];
+  model = rod_model (body, rung, base);
+  model.arrays.damping = body.rod.damping;
   model.line = [];
   model.equations = matrix_equations ();
   if (exact)

@@ -20,7 +20,7 @@ function kind = mechanism_kind ()
   kind.tighter = @(solver, off) setfield (solver, "tolerance", solver.tolerance*min (max ((5e-8/off)^2, 1e-3), 0.1));
   kind.dropped = @(scene, run, reference) dropped_of_bodies (scene, run.model, run.history);
   kind.bound = @(scene, run) dropped_of_bodies (scene, run.model, run.history).metres;
-  kind.instead = @instead_of_bodies;
+  kind.instead = @(scene) exact_or (exact_bodies (scene));
   kind.foreseen = @(scene, model) {};
   kind.describe = @describe_mechanism;
   kind.limits = @limits_of_bodies;
@@ -30,6 +30,7 @@ function kind = mechanism_kind ()
   kind.spectrum = @body_spectrum;
   kind.rungs = @rungs_around;
   kind.exactly = @exact_bodies;
+  kind.of_exact = @mechanism_kind;
   kind.literal = @(scene) [];
   kind.sized = @model_of_size;
   kind.at_rest = @mechanism_at_rest;
@@ -58,13 +59,6 @@ endfunction
 function rung = same_for_all (scene, bending, longitudinal)
   each = ones (1, numel (scene.bodies));
   rung = struct ("bending", bending*each, "longitudinal", longitudinal*each);
-endfunction
-
-function text = instead_of_bodies (scene)
-  text = welded_rods ();
-  if (! isempty (exact_bodies (scene)))
-    text = exact_instead ();
-  endif
 endfunction
 
 ## of the bodies that do not state theirs, or where all do of all

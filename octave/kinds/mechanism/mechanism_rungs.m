@@ -50,44 +50,14 @@ function rung = rung_of_level (scene, k, level, longitudinal)
   if (strcmp (rung.stiffening, "exact"))
     return;
   endif
+  [pushed, turned] = stations_of_joints (scene.joints, k);
   if (level > 0)
-    rung.corrections = clamped_ends (scene, k);
+    rung.corrections = moment_corrections (turned, body.rod.length);
   endif
   if (rung.sines(1) > 0)
-    rung.elongations = elongations (scene, k);
+    pushed = [pushed, body.rod.length(body.tip_mass > 0)];
+    rung.elongations = elongation_numbers (pushed, body.rod, rod_section (body.rod, body.model));
   endif
-endfunction
-
-## -1: O, -2: the tip
-function corrections = clamped_ends (scene, k)
-  corrections = [];
-  for joint = scene.joints(:).'
-    if (any (strcmp (joint.kind, {"weld", "angle", "torsion_spring", "moment"})))
-      stations = joint.stations(joint.bodies == k);
-      if (any (stations == 0))
-        corrections(end+1) = -1;
-      endif
-      if (any (stations == scene.bodies(k).rod.length))
-        corrections(end+1) = -2;
-      endif
-    endif
-  endfor
-  corrections = fliplr (unique (corrections));
-endfunction
-
-## numbers of the elongations by forces on the body's stations
-function numbers = elongations (scene, k)
-  body = scene.bodies(k);
-  stations = [];
-  if (body.tip_mass > 0)
-    stations = body.rod.length;
-  endif
-  for joint = scene.joints(:).'
-    if (! any (strcmp (joint.kind, {"angle", "torsion_spring", "moment"})))
-      stations = [stations, joint.stations(joint.bodies == k)];
-    endif
-  endfor
-  numbers = elongation_numbers (stations, body.rod, rod_section (body.rod, body.model));
 endfunction
 
 %!test # only chosen modes have corrections, at ends that bear moments

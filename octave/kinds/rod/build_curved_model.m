@@ -5,19 +5,12 @@
 ## @end deftypefn
 
 function model = build_curved_model (scene, rung)
-  model.rung = rung;
-  model.length = scene.rod.length;
-  model.section = rod_section (scene.rod, scene.model);
-  model.shortening = 0;
-  correction = repmat (-1, 1, rung.sines(2) > 0 && moment_at_O (scene));
-  model.base = base_functions (1:rung.sines(1), [1:rung.sines(2), correction], model.length);
-  [model.base, arrays] = curved_base (model.base, scene.rod, model.section, scene.model.energy, ...
-                                      scene.tip_mass);
-  model.arrays = arrays;
-  model.basis = eye (columns (arrays.mass_matrix));
+  at_O = zeros (1, rung.sines(2) > 0 && any (scene.moment (load_times (scene))));
+  across = [1:rung.sines(2), moment_corrections(at_O, scene.rod.length)];
+  model = rod_model (scene, rung, base_functions (1:rung.sines(1), across, scene.rod.length));
+  model.equations = matrix_equations ();
+  arrays = model.arrays;
   [model.whole_mass_matrix, model.whole_coupling_vector] = deal (arrays.mass_matrix, arrays.coupling_vector);
-  model.followers = [];
-  [model.arrays.slope_1, model.arrays.slope_2] = slopes_at (model.base, 0, 0);
   [model.arrays.follower_dd, model.arrays.follower_ds, model.arrays.follower_ss] = deal (0);
   [model.arrays.follower_fd, model.arrays.follower_fs, model.arrays.follower_ff] = deal (0);
   tip = curved_functions (model.base, model.base.axis, model.length);
@@ -25,15 +18,11 @@ function model = build_curved_model (scene, rung)
                         "shortening_matrix", zeros (size (arrays.mass_matrix)));
 endfunction
 
-function yes = moment_at_O (scene)
-  yes = any (scene.moment (load_times (scene)));
-endfunction
-
 %!function model = semicircle (N, degrees)
 %!  angle = deg2rad (degrees);
 %!  scene.rod = struct ("length", 1, "curvature", angle, "EA", 1e6, "EI", 10, "rhoA", 1); scene.duration = 1;
 %!  scene = check_scene (scene);
-%!  model = build_curved_model (scene, struct ("sines", [N N]));
+%!  model = build_curved_model (scene, curved_rung ([N N]));
 %!endfunction
 %!test # the mass matrix's condition, rotation included, does not grow with N beyond that of the base functions
 %! for degrees = [1 180 300]

@@ -25,7 +25,7 @@ endfunction
 %!test
 %! scene = check_scene (setfield (arc_pendulum (), "duration", 0.2));
 %! scene.solver.tolerance = 1e-3;
-%! choice = choose (ladder_of (rod_kind (), scene), 1e-3);
+%! choice = choose (ladder_of (curved_kind (), scene), 1e-3);
 %! assert (choice.error_m <= 1e-3); assert (choice.warnings, {});
 %! rich = trial_run (scene, setfield (setfield (choice.rung, "sines", [12 18]), "axial", "dynamic"));
 %! true_error = distance (choice.trial, rich);

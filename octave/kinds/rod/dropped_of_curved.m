@@ -15,7 +15,7 @@ function dropped = dropped_of_curved (scene, run, reference)
     return;
   endif
   near = @(exact) max (scene.solver.tolerance, distance (exact, reference))/10;
-  [exact, known] = exact_runs (rod_kind (), scene, 30, near);
+  [exact, known] = exact_runs (curved_kind (), scene, 30, near);
   if (known)
     dropped = struct ("metres", distance (exact, reference), "x", exact.x - reference.x, "y", exact.y - reference.y, ...
                       "bound", exact.off);
@@ -25,7 +25,7 @@ endfunction
 %!function [dropped, scene, run] = of_arc (duration, half_height = 0.003)
 %!  scene = setfield (setfield (arc_pendulum (), "duration", duration), "rod", "half_height", half_height);
 %!  scene = check_scene (scene);
-%!  run = run_model (rod_kind (), scene, build_model (scene, curved_rung ([3 6])));
+%!  run = run_model (curved_kind (), scene, build_curved_model (scene, curved_rung ([3 6])));
 %!  evalc ("dropped = dropped_of_curved (scene, run, run);");
 %!endfunction
 %!test # the exact rod is 4 mm elsewhere after 0.7 s, and the bound is above that
@@ -42,5 +42,5 @@ endfunction
 %! dropped = of_arc (0.1, 0.05);
 %! assert (dropped.metres, dropped.bound); assert (dropped.metres > 0);
 %! [~, scene] = of_arc (0.1);
-%! rigid = run_model (rod_kind (), scene, build_model (scene, curved_rung ([0 0])));
+%! rigid = run_model (curved_kind (), scene, build_curved_model (scene, curved_rung ([0 0])));
 %! assert (dropped_of_curved (scene, rigid, rigid).metres, 0);

@@ -1,19 +1,15 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{dropped} =} dropped_of_rod (@var{scene}, @var{run}, @var{reference})
-## What all models of a rod drop in the motion of a @var{run}, beside a richer @var{reference}: of a straight one see
-## @code{dropped_error}, of a curved one @code{dropped_of_curved}.
+## What all models of a straight rod drop in the motion of a @var{run}, beside a richer @var{reference}: see
+## @code{dropped_error}.
 ##
-## A straight rod that rings along its length rings its bending by what is dropped: by modes that are as slow, chosen or
+## A rod that rings along its length rings its bending by what is dropped: by modes that are as slow, chosen or
 ## not.  They are those of the @var{reference}.
 ## @end deftypefn
 
 function dropped = dropped_of_rod (scene, run, reference)
-  if (isempty (scene.rod.curvature))
-    run = with_slow_modes (scene, run, reference.model);
-    dropped = dropped_error (scene, run.model, run.history);
-  else
-    dropped = dropped_of_curved (scene, run, reference);
-  endif
+  run = with_slow_modes (scene, run, reference.model);
+  dropped = dropped_error (scene, run.model, run.history);
 endfunction
 
 function run = with_slow_modes (scene, run, richer)

@@ -1,10 +1,16 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{exact} =} exact_arc (@var{scene})
+## @deftypefn {} {[@var{exact}, @var{lacks}] =} exact_arc (@var{scene})
 ## The geometrically exact rod of a checked @var{scene} of one curved rod: a checked scene of that body on its hinge, with
-## the same points, loads and times, whose field exact is the scene itself (see @code{exact_arc_kind}).
+## the same points, loads and times, whose field exact is the scene itself (see @code{exact_arc_kind}).  Where it has not
+## what the scene has, @var{exact} is empty, and @var{lacks} (a text) says what.
 ## @end deftypefn
 
-function exact = exact_arc (scene)
+function [exact, lacks] = exact_arc (scene)
+  exact = [];
+  lacks = arc_lacks (scene);
+  if (! isempty (lacks))
+    return;
+  endif
   given = struct ("title", scene.title, "gravity", scene.gravity, "duration", scene.duration, "zoom", scene.zoom, ...
                   "frames_per_second", scene.frames_per_second, "frame_size", scene.frame_size, ...
                   "breaks", scene.moment_breaks, "solver", scene.solver);
@@ -20,6 +26,17 @@ function exact = exact_arc (scene)
   endif
   exact = check_mechanism (given);
   exact.exact = scene;
+endfunction
+
+## where a rod is thick against its radius, layers inside of its axis are shorter than those outside
+function what = arc_lacks (scene)
+  what = exact_lacks (scene, {"constrained"});
+  initial = scene.initial;
+  if (too_thick (scene.rod, rod_section (scene.rod, scene.model)))
+    what = "a rod so thick that its curvature changes its section";
+  elseif (any ([initial.V1(:); initial.V2(:); initial.V1_dot(:); initial.V2_dot(:)]))
+    what = "a deformed start of a curved axis";
+  endif
 endfunction
 
 function joint = at_O (name, kind)
@@ -45,5 +62,10 @@ endfunction
 %! assert (result.history.U, 0*result.history.t, 1e-12);
 %! [x, y] = undeformed_places (struct ("axis", rod_axis (result.scene.exact.rod, 16)), scene.rod.length);
 %! assert (hypot (result.history.tip_x(1), result.history.tip_y(1)), hypot (x, y), 1e-12);
+%!test # what it has not
+%! lacks = @(varargin) nthargout (2, @exact_arc, check_scene (setfield (arc_pendulum (), varargin{:})));
+%! assert (lacks ("gravity", 9), "");
+%! assert (lacks ("initial", "V2", 1e-3), "a deformed start of a curved axis");
+%! assert (lacks ("rod", "half_height", 0.05), "a rod so thick that its curvature changes its section");
 %!test # its solver's step
 %! assert (exact_arc (check_scene (setfield (arc_pendulum (), "solver", "step", 1e-3))).solver.step, 1e-3);

@@ -14,11 +14,7 @@ function [run, converged] = exact_runs (kind, scene, seconds, near = @(run) scen
   if (isempty (exact))
     return;
   endif
-  if (strcmp (kind.name, "rod") && isempty (scene.rod.curvature))
-    kind = exact_kind ();
-  elseif (strcmp (kind.name, "rod"))
-    kind = exact_arc_kind ();
-  endif
+  kind = kind.of_exact ();
   start = tic ();
   tolerance = exact.solver.tolerance/2;
   try
@@ -50,7 +46,7 @@ function run = of_size (kind, exact, n, tolerance, seconds, before)
 endfunction
 
 %!test # none of a rod so thick that it has not that
-%! [run, converged] = exact_runs (rod_kind (), check_scene (setfield (hook (), "rod", "half_height", 0.01)), 60);
+%! [run, converged] = exact_runs (curved_kind (), check_scene (setfield (hook (), "rod", "half_height", 0.01)), 60);
 %! assert (run, []); assert (! converged);
 %!test # of a stiff rod that swings it has converged
 %! scene = check_scene (setfield (setfield (swing (), "duration", 0.1), "model", "modes", [0 0]));

@@ -1,18 +1,14 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{plane}, @var{lacks}] =} exact_scene (@var{scene})
-## The geometrically exact rod of a checked scene of one rod, a checked scene with the same points, loads and times: of
-## a straight one a rod on the upright plane (see @code{exact_kind}), whose field exact has phi at first (rad); for a
-## curved one see @code{exact_arc}.  Where it has not what the scene has, @var{plane} is empty, and @var{lacks} (a text)
-## says what.
+## The geometrically exact rod of a checked scene of one straight rod: a checked scene of a rod on the upright plane (see
+## @code{exact_kind}) with the same points, loads and times, whose field exact has phi at first (rad).  Where it has not
+## what the scene has, @var{plane} is empty, and @var{lacks} (a text) says what.
 ## @end deftypefn
 
 function [plane, lacks] = exact_scene (scene)
   plane = [];
-  lacks = exact_lacks (scene);
+  lacks = exact_lacks (scene, {"rate", "residual"});
   if (! isempty (lacks))
-    return;
-  elseif (! isempty (scene.rod.curvature))
-    plane = exact_arc (scene);
     return;
   endif
   section = rod_section (scene.rod, scene.model);

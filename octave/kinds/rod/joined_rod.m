@@ -11,7 +11,7 @@ function joined = joined_rod (model, joints)
     return;
   endif
   joined.n = columns (model.basis) + 3;
-  joined.groups = struct ("model", setfield (model, "equations", matrix_equations ()), "index", (1:joined.n).');
+  joined.groups = struct ("model", model, "index", (1:joined.n).');
   joined.place = [1 1];
   joined.length = model.length;
   joined = list_markers (joined, joints);

@@ -16,8 +16,8 @@ function drawing = rod_drawing (scene, model, history)
     drawing.moment = history.torque;
   endif
   drawing.moment_breaks = scene.moment_breaks;
-  [body.x, body.y] = centreline_of (model, stations, history, scene.zoom);
-  [body.rest_x, body.rest_y] = centreline_of (model, stations, history, 0);
+  [body.x, body.y] = model.equations.centreline (model, stations, history, scene.zoom);
+  [body.rest_x, body.rest_y] = model.equations.centreline (model, stations, history, 0);
   body.half_height = scene.rod.half_height;
   if (isempty (body.half_height))
     body.half_height = scene.rod.length/100;
@@ -35,14 +35,6 @@ function drawing = rod_drawing (scene, model, history)
   drawing.equations = {"hinged", "straight"};
   if (! isempty (scene.rod.curvature))
     drawing.equations = {"hinged", "curved"};
-  endif
-endfunction
-
-function [x, y] = centreline_of (model, stations, history, zoom)
-  if (isfield (model, "equations"))
-    [x, y] = model.equations.centreline (model, stations, history, zoom);
-  else
-    [x, y] = centreline (model, stations, history, zoom);
   endif
 endfunction
 

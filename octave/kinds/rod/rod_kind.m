@@ -1,16 +1,15 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{kind} =} rod_kind ()
-## One rod, straight or curved, hinged at O or in a hub, among the kinds of scenes (see @code{kind_of}).
+## One straight rod, hinged at O or in a hub, among the kinds of scenes (see @code{kind_of}).
 ## @end deftypefn
 
 function kind = rod_kind ()
   kind.name = "rod";
-  kind.has = @(given) ! any (isfield (given, {"bodies", "pieces"})) ...
-                      && (! isfield (given, "joints") || one_straight_rod (given));
+  kind.has = @(given) one_rod (given) && ! is_curved (given);
   kind.check = @check_scene;
   kind.pixel = @(scene) plane_pixel (scene, scene.rod.length);
   kind.stated = @stated_rung;
-  kind.ladder = @straight_or_curved;
+  kind.ladder = @rod_ladder;
   kind.far_richer = @far_richer_rung;
   kind.build = @build_model;
   kind.system = @rod_system;
@@ -18,8 +17,8 @@ function kind = rod_kind ()
   kind.observe = @observe_rod;
   kind.tighter = @(solver, off) setfield (solver, "tolerance", solver.tolerance*min (max (1e-7/off, 1e-3), 0.1));
   kind.dropped = @dropped_of_rod;
-  kind.bound = @bound_of_rod;
-  kind.instead = @instead_of_rod;
+  kind.bound = @(scene, run) NaN;
+  kind.instead = @(scene) exact_or (exact_scene (scene));
   kind.foreseen = @spin_warning;
   kind.describe = @describe_rod;
   kind.limits = @(scene, run) rod_limits (scene, run.model, run.history);
@@ -29,10 +28,11 @@ function kind = rod_kind ()
   kind.spectrum = @tip_spectrum;
   kind.rungs = @rungs_around;
   kind.exactly = @exact_scene;
+  kind.of_exact = @exact_kind;
   kind.literal = @paper_sines;
   kind.sized = @(scene, n) build_model (scene, rung_of_scene (setfield (scene, "model", "modes", [n n])));
   kind.at_rest = [];
-  kind.turning = @steady_rod;
+  kind.turning = @(scene) steady_rod (rod_kind (), scene);
   kind.reference = {"waveform", 1e-10};
 endfunction
 
@@ -41,31 +41,12 @@ function [rung, note] = stated_rung (scene)
   note = "";
   if (isnumeric (scene.model.modes))
     rung = rung_of_scene (scene);
-    note = stiffening_note (scene.model, rung.bending*isempty (scene.rod.curvature));
-  endif
-endfunction
-
-function metres = bound_of_rod (scene, run)
-  metres = NaN;
-  if (! isempty (scene.rod.curvature))
-    metres = bound_of_curved (run.model, run.history.V, scene.duration);
-  endif
-endfunction
-
-function ladder = straight_or_curved (scene)
-  if (isempty (scene.rod.curvature))
-    ladder = rod_ladder (scene);
-  else
-    ladder = curved_ladder (scene);
+    note = stiffening_note (scene.model, rung.bending);
   endif
 endfunction
 
 function rung = far_richer_rung (scene, model)
   along = 30*! strcmp (scene.model.axial, "none");
-  if (! isempty (scene.rod.curvature))
-    rung = curved_rung ([0.9*along, 40]);
-    return;
-  endif
   rung = struct ("sines", [], "bending", 30, "longitudinal", along, "axial", "dynamic", "stiffening", "foreshortening");
   if (along == 0)
     rung.axial = "none";
@@ -81,20 +62,16 @@ function run = observe_rod (scene, model, system, times, states)
 endfunction
 
 function rungs = rungs_around (scene, chosen, richer)
-  if (isempty (scene.rod.curvature))
-    rungs = ladder_rungs (chosen, richer);
-    known = axial_treatments (scene);
-    rungs = rungs(cellfun (@(rung) any (strcmp (rung.axial, known)), rungs));
-  else
-    rungs = curved_rungs (chosen, richer);
-  endif
+  rungs = ladder_rungs (chosen, richer);
+  known = axial_treatments (scene);
+  rungs = rungs(cellfun (@(rung) any (strcmp (rung.axial, known)), rungs));
 endfunction
 
 ## whose literal equations have a hinge, weight and a moment
 function rung = paper_sines (scene)
   rung = [];
   more = ! isempty (scene.rotation) || ! isempty (scene.force) || scene.tip_mass > 0 || ! isempty (scene.joints);
-  if (isempty (scene.rod.curvature) && ! more)
+  if (! more)
     rung = rung_of_scene (setfield (scene, "model", "modes", [7 7]));
   endif
 endfunction
@@ -110,12 +87,11 @@ function own = describe_rod (scene, run)
   own.rotary_inertia = logical (scene.model.rotary_inertia);
 endfunction
 
-%!test # what is stated, with what its stiffening means; a curved rod and a rigid one have none to speak of
+%!test # what is stated, with what its stiffening means
 %! stated = rod_kind ().stated;
 %! [rung, note] = stated (check_scene (setfield (paper (), "model", "modes", [1 2])));
 %! assert (rung_name (rung), "1 + 2 sines");
 %! assert (note, "stiffening = \"auto\" is none where numbers of modes are stated");
-%! assert (nthargout (2, stated, check_scene (setfield (arc_pendulum (), "model", "modes", [1 2]))), "");
 %! assert (stated (check_scene (paper ())), []);
 %!test # how it asks for a balance, far richer models, and what is said of a run
 %! kind = rod_kind ();
@@ -125,13 +101,11 @@ endfunction
 %! assert (rung_name (of (paper (), "zoom", 1)), "30 bending + 30 longitudinal modes, foreshortening");
 %! assert (rung_name (of (paper (), "model", "axial", "none")), "30 bending modes, foreshortening");
 %! assert (rung_name (of (paper (), "model", "stiffening", "none")), "30 bending + 30 longitudinal modes");
-%! assert (of (arc_pendulum (), "zoom", 1).sines, [27 40]);
-%! assert (of (arc_pendulum (), "model", "axial", "none").sines, [0 40]);
 %! assert (kind.literal (check_scene (paper ())).sines, [7 7]);
 %! for field = {"tip_mass", "force"; 1, @(t) [1 0]}
 %!   assert (kind.literal (check_scene (setfield (paper (), field{:}))), []);
 %! endfor
-%! assert ({kind.literal(check_scene (spin_up ())), kind.literal(check_scene (arc_pendulum ()))}, {[], []});
+%! assert (kind.literal (check_scene (spin_up ())), []);
 %! scene = check_scene (setfield (paper (), "model", "modes", [1 2]));
 %! own = kind.describe (scene, struct ("model", build_model (scene, rung_of_scene (scene))));
 %! assert (own.model, "1 + 2 sines"); assert (own.modes, [1 2]);

@@ -28,6 +28,7 @@ function kind = surface_kind ()
   kind.spectrum = @surface_spectrum;
   kind.rungs = @rungs_around;
   kind.exactly = @(scene) lacking ("a surface, on which it is exact");
+  kind.of_exact = @surface_kind;
   kind.literal = @(scene) [];
   kind.sized = @model_of_size;
   kind.at_rest = @surface_at_rest;

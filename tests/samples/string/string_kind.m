@@ -30,6 +30,7 @@ function kind = string_kind ()
   kind.spectrum = @(scene, run) [];
   kind.rungs = @(scene, chosen, richer) num2cell (unique ([1, chosen, richer]));
   kind.exactly = @(scene) lacking ("a string");
+  kind.of_exact = @string_kind;
   kind.literal = @(scene) [];
   kind.sized = @(scene, n) setfield (scene.string, "elements", n)(n <= 4);
   kind.at_rest = [];
