@@ -13,10 +13,9 @@ function constraints = list_constraints (mechanism, joints, field = "constraints
     return;
   endif
   constraints.values = {joints.value};
-  all_kinds = joint_kinds ();
   table = {};
   for j = 1:numel (joints)
-    forms = all_kinds(strcmp ({all_kinds.name}, joints(j).kind)).(field);
+    forms = joint_kind (joints(j).kind).(field);
     for c = 1:numel (forms)
       table(end+1,:) = {func2str(forms{c}), numel(constraints.names) + 1, j, c};
       constraints.names{end+1} = joints(j).name;

@@ -58,8 +58,7 @@ endfunction
 
 ## whether a joint at markers of these numbers sees such of its bodies
 function yes = any_sees (joints, mechanism, numbers, what)
-  kinds = joint_kinds ();
-  sees = arrayfun (@(joint) any (strcmp (kinds(strcmp (joint.kind, {kinds.name})).sees, what)), joints(:));
+  sees = arrayfun (@(joint) any (strcmp (joint_kind (joint.kind).sees, what)), joints(:));
   yes = any (any (ismember (mechanism.marker_of, numbers), 2) & sees);
 endfunction
 

@@ -6,9 +6,8 @@
 ## @end deftypefn
 
 function [springs, loads] = list_springs (mechanism, joints)
-  kinds = joint_kinds ();
   for j = 1:numel (joints)
-    if (! isempty (kinds(strcmp ({kinds.name}, joints(j).kind)).springs))
+    if (! isempty (joint_kind (joints(j).kind).springs))
       joints(j).value = @(t) joints(j).rest*[1 1];
       joints(j).constant = true;
     endif
@@ -17,12 +16,9 @@ function [springs, loads] = list_springs (mechanism, joints)
   springs.stiffness = vertcat (zeros (0, 1), joints(springs.joint).stiffness);
   springs.damping = vertcat (zeros (0, 1), joints(springs.joint).damping);
   loads = struct ([]);
-  for j = 1:numel (joints)
-    kind = kinds(strcmp ({kinds.name}, joints(j).kind));
-    if (! isempty (kind.loads))
-      loads = [loads, struct("value", joints(j).value, "parts", kind.loads, ...
-                             "first", mechanism.marker_of(j,1), "second", mechanism.marker_of(j,2))];
-    endif
+  for j = find (is_load (joints))
+    loads = [loads, struct("value", joints(j).value, "parts", joint_kind (joints(j).kind).loads, ...
+                           "first", mechanism.marker_of(j,1), "second", mechanism.marker_of(j,2))];
   endfor
 endfunction
 

@@ -5,8 +5,7 @@
 ## @end deftypefn
 
 function [numbers, orders] = value_size (joint)
-  kinds = joint_kinds ();
-  kind = kinds(strcmp ({kinds.name}, joint.kind));
+  kind = joint_kind (joint.kind);
   numbers = kind.values;
   orders = 1;
   if (! isempty (kind.constraints))

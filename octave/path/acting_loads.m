@@ -8,8 +8,7 @@ function loads = acting_loads (scene)
   own = intersect ({"moment", "tip_moment", "force"}, fieldnames (scene).');
   loads = cellfun (@(name) scene.(name), own, "uniformoutput", false);
   if (isfield (scene, "joints"))
-    acting = ismember ({scene.joints.kind}, {"moment", "force"});
-    loads = [loads, {scene.joints(acting).value}];
+    loads = [loads, {scene.joints(is_load (scene.joints)).value}];
   endif
 endfunction
 

@@ -18,7 +18,7 @@ function scene = growing_loads (scene, t)
     for k = 1:numel (scene.joints)
       now = scene.joints(k).value (t);
       scene.joints(k).value = @(factor) now;
-      if (any (strcmp (scene.joints(k).kind, {"moment", "force"})))
+      if (is_load (scene.joints(k)))
         scene.joints(k).value = @(factor) factor*now;
       endif
     endfor

@@ -17,17 +17,17 @@ function [scene, names, driven] = unit_inputs (scene, t)
   endfor
   driven(1:numel (names)) = false;
   if (isfield (scene, "joints"))
-    for kinds = {{"moment", "force"}, {"angle", "position"}}
-      for k = find (ismember ({scene.joints.kind}, kinds{1})(:).')
-        joint = scene.joints(k);
-        now = joint.value (t);
-        scene.joints(k).value = unit_by_number (now, numel (names));
-        own = component_names (joint.name, columns (now), units.(joint.kind));
-        names = [names, own];
-        driven = [driven, repmat(any (strcmp (joint.kind, {"angle", "position"})), 1, numel (own))];
-      endfor
+    loads = is_load (scene.joints);
+    prescribed = ismember ({scene.joints.kind}, {"angle", "position"})(:).';
+    for k = [find(loads), find(prescribed)]
+      joint = scene.joints(k);
+      now = joint.value (t);
+      scene.joints(k).value = unit_by_number (now, numel (names));
+      own = component_names (joint.name, columns (now), units.(joint.kind));
+      names = [names, own];
+      driven = [driven, repmat(prescribed(k), 1, numel (own))];
     endfor
-    for k = find (! ismember ({scene.joints.kind}, {"moment", "force", "angle", "position"})(:).')
+    for k = find (! (loads | prescribed))
       now = scene.joints(k).value (t);
       scene.joints(k).value = @(number) now;
     endfor

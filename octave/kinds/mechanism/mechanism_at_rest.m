@@ -85,7 +85,7 @@ endfunction
 function rows = supports (system, scene, t, q, lambda)
   forces = joint_forces (system.mechanism, system.at (t, q, 0*q), lambda);
   rows = cell (0, 2);
-  for j = find (! ismember ({scene.joints.kind}, {"moment", "force"})(:).')
+  for j = find (! is_load (scene.joints))
     name = scene.joints(j).name;
     rows = [rows; {["reaction_x of " name " [N]"], forces(j).reaction_x
                    ["reaction_y of " name " [N]"], forces(j).reaction_y

@@ -27,7 +27,7 @@ function [names, table] = mechanism_columns (scene, run)
     own = arrayfun (@(i) sprintf ("lambda_%d_%d [%s]", j, i, units{i}), 1:numel (rows_of), "uniformoutput", false);
     names = [names, numbered({"joint_x_%d [m]", "joint_y_%d [m]"}, j), own];
     table = [table; history.markers.x(marker,:); history.markers.y(marker,:); history.lambda(rows_of,:)];
-    if (holds (scene.joints(j).kind))
+    if (! is_load (scene.joints(j)))
       forces = history.joints(j);
       names = [names, numbered({"reaction_x_%d [N]", "reaction_y_%d [N]", "torque_%d [N m]"}, j)];
       table = [table; forces.reaction_x; forces.reaction_y; forces.torque];
@@ -38,18 +38,9 @@ function [names, table] = mechanism_columns (scene, run)
   table = [table; joules];
 endfunction
 
-function yes = holds (kind)
-  yes = isempty (row_of (kind).loads);
-endfunction
-
-function row = row_of (kind)
-  kinds = joint_kinds ();
-  row = kinds(strcmp ({kinds.name}, kind));
-endfunction
-
 ## of a joint's multipliers
 function units = units_of (kind, count)
-  forms = row_of (kind).constraints;
+  forms = joint_kind (kind).constraints;
   units = repmat ({"N"}, 1, count);
   units(cellfun (@(form) strcmp (func2str (form), "constraint_angle"), forms)) = {"N m"};
 endfunction

@@ -8,7 +8,7 @@
 function centre = rotation_centre (scene)
   centre = [];
   for joint = scene.joints(:).'
-    if (all (joint.bodies > 0) || any (strcmp (joint.kind, {"angle", "force", "moment"})))
+    if (all (joint.bodies > 0) || strcmp (joint.kind, "angle") || is_load (joint))
       continue;
     endif
     if (! strcmp (joint.kind, "revolute"))

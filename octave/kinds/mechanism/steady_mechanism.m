@@ -10,11 +10,10 @@ function turning = steady_mechanism (scene)
   centre = rotation_centre (scene);
   turning.speed = NaN;
   for k = 1:numel (scene.joints)
-    kind = scene.joints(k).kind;
-    if (strcmp (kind, "angle") && any (scene.joints(k).bodies == 0))
+    if (strcmp (scene.joints(k).kind, "angle") && any (scene.joints(k).bodies == 0))
       rates = at_times (scene.joints(k).value, linspace (0, scene.duration, 1001))(2,:);
       turning.speed = max ([turning.speed, abs(rates)]);
-    elseif (any (strcmp (kind, {"force", "moment"})))
+    elseif (is_load (scene.joints(k)))
       scene.joints(k).value = @(t) 0*scene.joints(k).value (t);
     endif
   endfor

@@ -15,8 +15,7 @@ function [loads, springs] = held_on_surface (scene, base_at)
   for k = 1:3
     held{k,2} = watched_load (names{k}, held{k,2});
   endfor
-  of_kind = @(kinds) scene.joints(ismember ({scene.joints.kind}, kinds)(:).');
-  for joint = of_kind ({"moment", "force"})
+  for joint = scene.joints(is_load (scene.joints))
     held(end+1,:) = {joint.kind, joint.value, joint.stations};
   endfor
   held = held(cellfun (@(value) ! isnumeric (value) || any (value), held(:,2)),:);
@@ -32,7 +31,7 @@ function [loads, springs] = held_on_surface (scene, base_at)
     endif
     loads.rows{k} = find (loads.stations == held{k,3}) + places*(component - 1);
   endfor
-  list = of_kind ("spring");
+  list = scene.joints(! is_load (scene.joints));  # springs
   column = @(name) vertcat (zeros (0, 1), list.(name));
   springs = struct ("stations", column ("stations"), "base", base_at (column ("stations"), ...
                     ones (numel (list), 1)), ...
