@@ -26,7 +26,7 @@ function scene = as_bodies (given)
   endif
   scene.bodies = {body};
   scene.joints = [{struct("name", "hinge", "kind", "revolute", "bodies", 1, "stations", 0)}, loads_of(given), ...
-                  on_the_body(field_or (given, "joints", {}))];
+                  on_one_body(field_or (given, "joints", {}))];
   if (isfield (given, "moment_breaks"))
     scene.breaks = given.moment_breaks;
   endif
@@ -58,18 +58,6 @@ function joints = loads_of (given)
     endif
     joints{end+1} = struct ("name", "force", "kind", "force", "bodies", 1, "stations", station, "value", given.force);
   endif
-endfunction
-
-function joints = on_the_body (joints)
-  if (! iscell (joints))
-    joints = num2cell (joints);
-  endif
-  for k = 1:numel (joints)
-    if (isstruct (joints{k}) && ! isfield (joints{k}, "bodies"))
-      joints{k}.bodies = 1;
-    endif
-  endfor
-  joints = joints(:).';
 endfunction
 
 %!function scene = hinged ()

@@ -13,7 +13,7 @@ function scene = check_scene (given)
   scene = take_fields (spelled_start (without_probed (given)), scene_fields (), "a scene");
   refuse_missing_solver (scene.solver.name, "lsode_bdf");
   check_section (scene.rod);
-  scene.joints = joints_of_rod (scene);
+  scene.joints = check_joints (on_one_body (scene.joints), scene);
   loads = [loads_of(scene), joint_loads(scene.joints)];
   [scene.moment_breaks, scene.probed] = load_breaks (loads, scene.moment_breaks, scene);
   scene.joints = with_values (scene.joints, scene);

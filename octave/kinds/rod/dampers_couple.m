@@ -9,7 +9,7 @@ function yes = dampers_couple (given)
   yes = false;
   try
     scene = take_fields (without_probed (given), scene_fields (), "a scene");
-    scene.joints = joints_of_rod (scene);
+    scene.joints = check_joints (on_one_body (scene.joints), scene);
     if (any ([scene.joints.damping] > 0))
       yes = coupling (scene) > 1;
     endif
