@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{kinds} =} joint_kinds ()
 ## The kinds of joints: a struct array of name, constraints (functions of generated/, one a scalar constraint), springs
 ## (likewise, of the elongations of what has an energy and no constraint), loads (which of F_x, F_y, M are its value),
-## values (how many numbers its value has), sees (what it sees of its bodies: points, tangents).  A joint acts between
-## its first body and its second, or the ground.
+## values (how many numbers its value has in the plane), sees (what it sees of its bodies: points, tangents).  A joint
+## acts between its first body and its second, or the ground.
 ##
 ## @table @code
 ## @item revolute

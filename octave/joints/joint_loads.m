@@ -1,13 +1,13 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{loads} =} joint_loads (@var{joints})
-## The values of a mechanism's @var{joints} that are functions of time, loads and prescribed motions, as the struct
-## array of @code{load_list}.
+## @deftypefn {} {@var{loads} =} joint_loads (@var{joints}, @var{dimension})
+## The values of a scene's @var{joints} that are functions of time, loads and prescribed motions, as the struct array
+## of @code{load_list}, in a space of so many @var{dimension}s (2: the plane).
 ## @end deftypefn
 
-function loads = joint_loads (joints)
+function loads = joint_loads (joints, dimension = 2)
   rows = cell (0, 6);
   for k = 1:numel (joints)
-    [numbers, orders] = value_size (joints(k));
+    [numbers, orders] = value_size (joints(k), dimension);
     all = numbers*orders;
     takes = sprintf ("%d numbers", all);
     prescribed = [];

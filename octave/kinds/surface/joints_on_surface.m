@@ -10,25 +10,15 @@ function [joints, loads] = joints_on_surface (scene)
   fields{strcmp (fields(:,1), "bodies"),2} = 1;
   fields(strcmp (fields(:,1), "point"),2:3) = {[0 0 0], "vector [x y z] of a place in space in m"};
   joints = take_list (scene.joints, fields, "joints", "joint", @(joint, what) check_joint (joint, what, scene.rod));
-  rows = cell (0, 6);
+  loads = joint_loads (joints, 3);
   for k = 1:numel (joints)
-    name = sprintf ("joints(%d).value", k);
-    count = numbers_of (joints(k).kind);
-    if (count > 0)
-      rows(end+1,:) = {name, joints(k).value, count, sprintf("%d numbers", count), [], false};
-    endif
     if (isnumeric (joints(k).value))
       constant = joints(k).value(:).';
       joints(k).value = @(t) constant;
     else
-      joints(k).value = watched_load (name, joints(k).value);
+      joints(k).value = watched_load (sprintf ("joints(%d).value", k), joints(k).value);
     endif
   endfor
-  loads = load_list (rows);
-endfunction
-
-function count = numbers_of (kind)
-  count = struct ("force", 3, "moment", 1, "spring", 0).(kind);
 endfunction
 
 function joint = check_joint (joint, what, rod)
@@ -43,7 +33,7 @@ function joint = check_joint (joint, what, rod)
     scene_error ("%s.point has %d numbers: it takes [x y z] in m", what, numel (joint.point));
   endif
   joint.point = joint.point(:).';
-  count = numbers_of (joint.kind);
+  count = value_size (joint, 3);
   if (isnumeric (joint.value) && numel (joint.value) != count && count > 0)
     scene_error ("%s.value has %d numbers: it takes %d or a function of t", what, numel (joint.value), count);
   endif
