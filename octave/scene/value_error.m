@@ -17,7 +17,10 @@ function good = is_of_kind (kind, value)
     '^text$',               @(x) ischar (x) && rows (x) <= 1
     '^true or false$',      @(x) isscalar (x) && (islogical (x) || (is_number (x) && any (x == [0 1])))
     '^struct array',        @(x) iscell (x) || isstruct (x)
+    '^vector of two coordinates', @(x) is_vector_of (x, 2)
+    '^three numbers',       @(x) is_vector_of (x, 3)
     '^vector',              @(x) is_real (x) && (isvector (x) || isempty (x)) && all (isfinite (x(:)))
+    'at least 3 each$',     @(x) is_pair (x, 3, 1000) && all (x(:) == fix (x(:)))
     '\[N1 N2\]',            @(x) is_pair (x, 0, 1000) && all (x(:) == fix (x(:)))
     '\[W H\]',              @(x) is_pair (x, 320, 8192) && all (mod (x(:), 2) == 0)
     '^number from 0 to 1$', @(x) is_number (x) && x >= 0 && x <= 1
@@ -27,9 +30,11 @@ function good = is_of_kind (kind, value)
     'number',               @(x) is_number (x)
     '.',                    @(x) false
   };
-  choices = regexp (kind, '"(\w+)"', "tokens");
-  if (ischar (value) && ! isempty (choices))
-    good = any (strcmp (value, [choices{:}]));
+  choices = [regexp(kind, '"(\w+)"', "tokens"){:}];
+  if (strncmp (kind, "two of", 6))
+    good = iscellstr (value) && numel (value) == 2 && all (ismember (value, choices));
+  elseif (ischar (value) && ! isempty (choices))
+    good = any (strcmp (value, choices));
   elseif (is_function_handle (value))
     good = ! isempty (strfind (kind, "function"));
   else
@@ -44,6 +49,10 @@ endfunction
 
 function yes = is_number (value)
   yes = is_real (value) && isscalar (value) && isfinite (value);
+endfunction
+
+function yes = is_vector_of (value, count)
+  yes = is_real (value) && numel (value) == count && all (isfinite (value(:)));
 endfunction
 
 function yes = is_pair (value, least, most)
@@ -85,7 +94,12 @@ endfunction
 %!          "text", {"", "word"}, {["a"; "b"], 3}
 %!          "vector of times in s", {[], 3, 1:9}, {eye(2), [1 Inf], 1i}
 %!          "two numbers of modes [N1 N2]", {[0 1000]}, {[-1 3], [0 1001], [1 2 3]}
-%!          "even numbers of pixels [W H]", {[320 8192], [322 324]}, {[318 400], [400 8194]}};
+%!          "even numbers of pixels [W H]", {[320 8192], [322 324]}, {[318 400], [400 8194]}
+%!          "\"auto\" or two numbers [N1 N2], at least 3 each", {[3 1000], "auto"}, {[2 3], [3 1001], [3 3.5], "all"}
+%!          "vector of two coordinates of the chart", {[0.1 -2], [3; 4]}, {[1 2 3], [1 NaN], [1i 2], []}
+%!          "three numbers or function of t in N", {[1 2 3], @sin}, {[1 2], [1 2 Inf], []}
+%!          "two of \"free\" and \"hinge\"", {{"free", "free"}, {"hinge"; "free"}}, ...
+%!            {"free", {"free"}, {"free", "glue"}, {1, 2}}};
 %! for row = taken.'
 %!   cellfun (@(value) assert (value_error (row{1}, value), "", row{1}), row{2});
 %!   cellfun (@(value) assert (! isempty (value_error (row{1}, value)), row{1}), row{3});

@@ -17,7 +17,10 @@ function scene = check_surface_scene (given)
     path = strsplit (name, ".");
     if (has_field (given, path))
       value = getfield (given, path{:});
-      check_surface_value (name, value, kind);
+      got = value_error (kind, value);
+      if (! isempty (got) && ! (isempty (value) && strncmp (name, "initial.", 8)))
+        scene_error ("%s is %s: it takes %s", name, got, kind);
+      endif
     elseif (isnumeric (value) && isscalar (value) && isnan (value))
       scene_error ("%s is missing: it takes %s", name, kind);
     endif
@@ -90,6 +93,15 @@ endfunction
 %!error <rod.EA is -1: it takes positive number in N> check_surface_scene (setfield (smallest (), "rod", "EA", -1))
 %!error <rod.EA, rod.EI and rod.rhoA are given together>
 %! check_surface_scene (setfield (smallest (), "rod", struct ("length", 1, "EA", 1)))
+%!error <ends is a 1-by-1 cell: it takes two of "free", "hinge" and "clamped">
+%! check_surface_scene (on_level_plane ("ends", {{"free"}}))
+%!error <ends is a 1-by-2 cell: it takes> check_surface_scene (on_level_plane ("ends", {{"free", "loose"}}))
+%!error <model.modes is 2   2: it takes "auto" or two numbers of polynomials \[N1 N2\], at least 3 each>
+%! check_surface_scene (setfield (on_level_plane (), "model", "modes", [2 2]))
+%!error <force is 1   2: it takes three numbers or function of t in N>
+%! check_surface_scene (on_level_plane ("force", [1 2]))
+%!error <initial.point is 1   2   3: it takes vector of two coordinates>
+%! check_surface_scene (setfield (on_level_plane (), "initial", "point", [1 2 3]))
 %!error <colour is not a field of a scene on a surface> check_surface_scene (setfield (smallest (), "colour", 1))
 %!error <force gives 3 at t = 0: it takes 3 numbers> check_surface_scene (setfield (smallest (), "force", @(t) 3))
 %!error <tip_moment fails at t = 0: no> check_surface_scene (setfield (smallest (), "tip_moment", @(t) error ("no")))

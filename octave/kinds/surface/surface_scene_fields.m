@@ -44,7 +44,7 @@ function fields = surface_scene_fields ()
     {"view.elevation",      35,                 "number in degrees"
      "view.azimuth",        30,                 "number in degrees"
      "view.turning",        0,                  "number in degrees per second"
-     "model.modes",         "auto",             "\"auto\" or two numbers of polynomials [N1 N2]"
+     "model.modes",         "auto",             "\"auto\" or two numbers of polynomials [N1 N2], at least 3 each"
      "model.sines",         [0 0],              "two numbers of sines [N1 N2]"
      "model.strain",        "Green",            "\"Green\" or \"engineering\""
      "solver.name",         "auto",             solver_names({"rate", "residual"})}
