@@ -5,27 +5,12 @@
 ## @end deftypefn
 
 function scene = check_surface_scene (given)
-  fields = surface_scene_fields ();
   given = spelled_start (without_probed (given));
   if (! (isstruct (given.surface) && isscalar (given.surface)))
     scene_error ("surface is a %s: it takes a struct with a name and its parameters", class (given.surface));
   endif
-  refuse_unknown (rmfield (given, "surface"), "", fields(:,1));
-  scene = struct ("surface", given.surface);
-  for field = fields.'
-    [name, value, kind] = field{:};
-    path = strsplit (name, ".");
-    if (has_field (given, path))
-      value = getfield (given, path{:});
-      got = value_error (kind, value);
-      if (! isempty (got) && ! (isempty (value) && strncmp (name, "initial.", 8)))
-        scene_error ("%s is %s: it takes %s", name, got, kind);
-      endif
-    elseif (isnumeric (value) && isscalar (value) && isnan (value))
-      scene_error ("%s is missing: it takes %s", name, kind);
-    endif
-    scene = setfield (scene, path{:}, value);
-  endfor
+  fields = [{"surface", NaN, "struct array"}; surface_scene_fields()];
+  scene = take_fields (given, fields, "a scene on a surface");
   refuse_missing_solver (scene.solver.name, "lsode_bdf");
   scene.rod = section_on_surface (scene.rod, scene.model.strain);
   if (! isempty (scene.rod.curvature))
@@ -68,17 +53,6 @@ function refuse_moving (scene, name, rates)
   endif
 endfunction
 
-function refuse_unknown (given, prefix, names)
-  for [value, key] = given
-    name = [prefix key];
-    if (any (strncmp ([name "."], names, numel (name) + 1)) && isstruct (value))
-      refuse_unknown (value, [name "."], names);
-    elseif (! any (strcmp (name, names)))
-      scene_error ("%s is not a field of a scene on a surface: those are surface, %s", name, strjoin (names.', ", "));
-    endif
-  endfor
-endfunction
-
 %!function scene = smallest ()
 %!  scene = struct ("surface", struct ("name", "sphere", "radius", 1), "duration", 1, ...
 %!                  "rod", struct ("length", 1, "EA", 1, "EI", 1, "rhoA", 1));
@@ -119,7 +93,9 @@ endfunction
 %! assert ({checked.initial.point, checked.initial.angle, checked.model.modes}, {[0.1 0.2], 0, [3 4]});
 %!error <rod.colour is not a field of a scene on a surface>
 %! check_surface_scene (setfield (smallest (), "rod", "colour", 1))
-%!error <rod is not a field of a scene on a surface> check_surface_scene (setfield (smallest (), "rod", 1))
+%!error <rod is a double: it takes a struct> check_surface_scene (setfield (smallest (), "rod", 1))
+%!test # what is empty by default is as if it were not given
+%! assert (check_surface_scene (setfield (smallest (), "rod", "half_height", [])).rod.half_height, 1/200);
 %!error <^rods is not a field of a scene on a surface>
 %! check_surface_scene (setfield (smallest (), "rods", struct ("GJ", 1)))
 %!error <rotation gives theta_dot = .*: it takes an angle and its rates>
