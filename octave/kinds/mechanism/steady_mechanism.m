@@ -11,8 +11,7 @@ function turning = steady_mechanism (scene)
   turning.speed = NaN;
   for k = 1:numel (scene.joints)
     if (strcmp (scene.joints(k).kind, "angle") && any (scene.joints(k).bodies == 0))
-      rates = at_times (scene.joints(k).value, linspace (0, scene.duration, 1001))(2,:);
-      turning.speed = max ([turning.speed, abs(rates)]);
+      turning.speed = max (turning.speed, fastest_rotation (scene.joints(k).value, scene.duration));
     elseif (is_load (scene.joints(k)))
       scene.joints(k).value = @(t) 0*scene.joints(k).value (t);
     endif

@@ -10,7 +10,7 @@ function turning = steady_surface (scene)
   if (isempty (scene.rotation))
     scene_error ("no steady rotation: a rod on a surface turns in a hub, rotation and a clamped end, on a plane or sphere");
   endif
-  turning.speed = fastest_rotation (scene);
+  turning.speed = fastest_rotation (scene.rotation, scene.duration);
   [scene.gravity, scene.moment, scene.tip_moment, scene.force, scene.joints] = deal (0, 0, 0, [0 0 0], scene.joints([]));
   scene.initial.velocity = [];
   scene.solver.tolerance = 1e-9;
