@@ -9,7 +9,7 @@ function warnings = spin_warning (scene, model, phi_dot)
   if (nargin < 3)
     phi_dot = abs (scene.initial.phi_dot);
     if (! isempty (scene.rotation))
-      phi_dot = max (arrayfun (@(t) abs (scene.rotation (t)(2)), linspace (0, scene.duration, 200)));
+      phi_dot = fastest_rotation (scene.rotation, scene.duration);
     endif
   endif
   warnings = {};
