@@ -6,11 +6,12 @@
 ## @end deftypefn
 
 function scene = growing_loads (scene, t)
-  if (! any (cellfun (@(load) any (at_times (load, t)), acting_loads (scene))))
+  [loads, own] = acting_loads (scene);
+  if (! any (cellfun (@(load) any (at_times (load, t)), loads)))
     scene_error (["the scene has no force and no moment at t = %g s that a factor could multiply: state one, or" ...
                   " another time, TIME=1 say"], t);
   endif
-  for name = intersect ({"moment", "tip_moment", "force"}, fieldnames (scene).')
+  for name = own
     now = at_times (scene.(name{1}), t);
     scene.(name{1}) = @(factor) factor*now;
   endfor
