@@ -18,7 +18,7 @@ function [scene, kind, output, name] = checked_scene (which, options, change = @
   if (isequal (output.exact, true))
     [scene, kind] = exactly (scene, kind);
   elseif (isempty (output.exact))
-    output.exact = exact_by_default (given, scene);
+    output.exact = exact_by_default (given, kind.models (scene));
   endif
   if (isempty (scene.title))
     scene.title = name;
@@ -34,13 +34,8 @@ function [plane, kind] = exactly (scene, kind)
 endfunction
 
 ## a tolerance in metres is a promise; a model that is stated is meant, but that some bodies are rigid
-function exact = exact_by_default (given, scene)
+function exact = exact_by_default (given, models)
   exact = false;
-  if (isfield (scene, "bodies"))
-    models = [scene.bodies.model];
-  else
-    models = scene.model;
-  endif
   stated = @(model, name) ! strcmp (field_or (model, name, "auto"), "auto");
   fixed = arrayfun (@(model) any (cellfun (@(name) stated (model, name), {"modes", "axial", "stiffening"})), models);
   rigid = arrayfun (@(model) isequal (field_or (model, "modes", [])(:), [0; 0]), models);

@@ -14,6 +14,8 @@
 ## and its own
 ## @item pixel (scene)
 ## metres of a drawn pixel
+## @item models (scene)
+## what it says of models: the field model of the scene, or of each of its bodies, a struct array
 ## @item stated (scene)
 ## [rung, note]: the rung of the ladder that the scene states, empty where it is to be chosen, and what to say of it
 ## @item ladder (scene)

@@ -9,6 +9,7 @@ function kind = mechanism_kind ()
   kind.has = @(given) true;
   kind.check = @check_mechanism;
   kind.pixel = @(scene) plane_pixel (scene, scene.longest);
+  kind.models = @(scene) [scene.bodies.model];
   kind.stated = @stated_rung;
   kind.ladder = @mechanism_ladder;
   kind.far_richer = @far_richer_rung;

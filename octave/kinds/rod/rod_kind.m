@@ -8,6 +8,7 @@ function kind = rod_kind ()
   kind.has = @(given) one_rod (given) && ! is_curved (given);
   kind.check = @check_scene;
   kind.pixel = @(scene) plane_pixel (scene, scene.rod.length);
+  kind.models = @(scene) scene.model;
   kind.stated = @stated_rung;
   kind.ladder = @rod_ladder;
   kind.far_richer = @far_richer_rung;

@@ -8,6 +8,7 @@ function kind = surface_kind ()
   kind.has = @(given) isfield (given, "surface");
   kind.check = @check_surface_scene;
   kind.pixel = @(scene) scene.rod.length/min (scene.frame_size);
+  kind.models = @(scene) scene.model;
   kind.stated = @stated_rung;
   kind.ladder = @surface_ladder;
   kind.far_richer = @(scene, model) min (2*model.numbers.modes, 32);

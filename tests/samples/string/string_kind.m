@@ -10,6 +10,7 @@ function kind = string_kind ()
   kind.has = @(given) isfield (given, "string");
   kind.check = @check;
   kind.pixel = @(scene) 2*scene.string.length/min (scene.frame_size);
+  kind.models = @(scene) scene.model;
   kind.stated = @stated_rung;
   kind.ladder = @ladder_of_elements;
   kind.far_richer = @(scene, model) 2*model.elements + 6;
