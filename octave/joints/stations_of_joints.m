@@ -6,10 +6,9 @@
 
 function [pushed, turned] = stations_of_joints (joints, body)
   pushed = turned = [];
-  kinds = joint_kinds ();
   for joint = joints(:).'
     stations = joint.stations(joint.bodies == body);
-    sees = kinds(strcmp ({kinds.name}, joint.kind)).sees;
+    sees = joint_kind (joint.kind).sees;
     if (ismember ("point", sees))
       pushed = [pushed, stations];
     endif
