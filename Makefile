@@ -73,29 +73,18 @@ derive:
 equations:
 	@maxima/write_equations "$${OUTPUT:-output}" "$(or $(MODES),2 2)"
 
-simulate:
-	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @driver; run_command'
-
-models:
-	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @model_ladder; run_command'
-
-chart:
-	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @work_precision; run_command'
+simulate: entry = driver
+models: entry = model_ladder
+chart: entry = work_precision
+statics: entry = statics
+modes: entry = natural_modes
+campbell: entry = campbell
+response: entry = frequency_response
+simulate models chart statics modes campbell response:
+	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @$(entry); run_command'
 
 stability:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; $(if $(SCENE),command = @scene_stability; run_command,stability ();)'
-
-statics:
-	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @statics; run_command'
-
-modes:
-	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @natural_modes; run_command'
-
-campbell:
-	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @campbell; run_command'
-
-response:
-	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @frequency_response; run_command'
 
 sweep:
 	@$(run_octave) --eval 'source octave/toolchain_path.m; command = @sweep; $(run_with_settings)'

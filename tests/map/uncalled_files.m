@@ -2,7 +2,7 @@
 ## @deftypefn {} {@var{found} =} uncalled_files (@var{calls}, @var{files}, @var{entries})
 ## Those of the @var{files} to which no way of @var{calls} (see @code{call_graph}) leads from one of the @var{entries}:
 ## by default the scenes, which are called by names that users give, and what Makefile and README.md hand to
-## @code{octave --eval}.  Tests are no calls: what only they call is not used.
+## @code{octave --eval} or name as an entry.  Tests are no calls: what only they call is not used.
 ## @end deftypefn
 
 function found = uncalled_files (calls, files, entries = entries_of (files))
@@ -16,7 +16,7 @@ endfunction
 function entries = entries_of (files)
   root = fileparts (fileparts (which ("driver")));
   text = [fileread(fullfile (root, "Makefile")), fileread(fullfile (root, "README.md"))];
-  typed = regexp ([regexp(text, '--eval (''[^'']*''|\w+)', "match"){:}], '\w+', "match");
+  typed = regexp ([regexp(text, '--eval (''[^'']*''|\w+)|entry = \w+\n', "match"){:}], '\w+', "match");
   [folders, names] = cellfun (@fileparts, files, "UniformOutput", false);
   entries = files(strcmp (folders, "octave/scenes") | ismember (names, typed));
 endfunction
