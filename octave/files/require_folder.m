@@ -9,9 +9,6 @@ endfunction
 
 %!error <the folder /proc/nowhere cannot be made: .|nothing can be written> require_folder ("/proc/nowhere")
 %!test # a file of that name is none
-%! file = tempname (); write_text (file, "text");
-%! unwind_protect
-%!   fail ("require_folder (file)", "cannot be made");
-%! unwind_protect_cleanup
-%!   unlink (file);
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder (); file = fullfile (folder, "a");
+%! write_text (file, "text");
+%! fail ("require_folder (file)", "cannot be made");

@@ -49,13 +49,9 @@ function line = one_line (lines, scene)
 endfunction
 
 %!function check (found, scene)
-%!  folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%!  unwind_protect
-%!    draw = {@(scratch) draw_path(found, scene, scratch)};
-%!    assert (draw_files (folder, draw, {"path.svg", "path.png"}), cell (0, 2));
-%!  unwind_protect_cleanup
-%!    rmdir (folder, "s");
-%!  end_unwind_protect
+%!  [folder, gone] = scratch_folder ();
+%!  draw = {@(scratch) draw_path(found, scene, scratch)};
+%!  assert (draw_files (folder, draw, {"path.svg", "path.png"}), cell (0, 2));
 %!endfunction
 %!test # on a plane with an event, in space without one
 %! scene = struct ("title", "it's a \"rod\"", "view", struct ("elevation", 20, "azimuth", 30));

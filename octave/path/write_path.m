@@ -17,14 +17,10 @@ function write_path (found, folder)
 endfunction
 
 %!test
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   found = struct ("factor", [0 0.5], "square", [2 0], "stable", [true true], "event", [0 1], "shape", ...
-%!                   {{cat(3, [0 0; 1 2; 3 4], [0 0; 5 6; 7 8])}}, "events", struct ("what", "limit point"));
-%!   write_path (found, folder);
-%!   assert (fileread (fullfile (folder, "path.csv")), ...
-%!           ["factor,square of the slowest [1/s^2],stable,event,mid_x [m],mid_y [m],tip_x [m],tip_y [m]\n" ...
-%!            "0,2,1,,1,2,3,4\n0.5,0,1,limit point,5,6,7,8\n"]);
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! found = struct ("factor", [0 0.5], "square", [2 0], "stable", [true true], "event", [0 1], "shape", ...
+%!                 {{cat(3, [0 0; 1 2; 3 4], [0 0; 5 6; 7 8])}}, "events", struct ("what", "limit point"));
+%! write_path (found, folder);
+%! assert (fileread (fullfile (folder, "path.csv")), ...
+%!         ["factor,square of the slowest [1/s^2],stable,event,mid_x [m],mid_y [m],tip_x [m],tip_y [m]\n" ...
+%!          "0,2,1,,1,2,3,4\n0.5,0,1,limit point,5,6,7,8\n"]);

@@ -72,21 +72,16 @@ function [missing, warnings, seconds] = draw_pictures (drawing, folder)
 endfunction
 
 %!test # every file is there, in a folder with a difficult name, and nothing else
-%! folder = fullfile (tempname (), "it's a \"folder\" $HOME");
-%! mkdir (fileparts (folder));
+%! [root, gone] = scratch_folder ();
+%! folder = fullfile (root, "it's a \"folder\" $HOME");
 %! mkdir (folder);
 %! drawing = sample_drawing (3);
 %! drawing.title = "Stäbe: \"a_b\" 'c' {d} `e` \\n 100 %";
-%! unwind_protect
-%!   missing = draw_pictures (drawing, folder);
-%!   assert (numel (dir (fullfile (folder, "frames", "frame_000*.png"))), 3);
-%!   made = {"figure3.svg", "figure3.png", "figure3.pdf", "history.svg", "animation.mp4", "animation.gif"};
-%!   made = setdiff (made, missing(:,1));  # without ffmpeg
-%!   assert (sort ({dir(folder).name}), sort ([made, {".", "..", "frames"}]));
-%! unwind_protect_cleanup
-%!   confirm_recursive_rmdir (false, "local");
-%!   rmdir (fileparts (folder), "s");
-%! end_unwind_protect
+%! missing = draw_pictures (drawing, folder);
+%! assert (numel (dir (fullfile (folder, "frames", "frame_000*.png"))), 3);
+%! made = {"figure3.svg", "figure3.png", "figure3.pdf", "history.svg", "animation.mp4", "animation.gif"};
+%! made = setdiff (made, missing(:,1));  # without ffmpeg
+%! assert (sort ({dir(folder).name}), sort ([made, {".", "..", "frames"}]));
 %!error <bodies\(1\)\.y must be finite, with 2 frames>
 %! drawing = sample_drawing (2);
 %! drawing.bodies(1).y(1,2) = NaN;

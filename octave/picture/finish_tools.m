@@ -21,12 +21,8 @@ function finish_tools (jobs)
 endfunction
 
 %!test # it waits for the second when the first has failed
-%! file = tempname ();
-%! unwind_protect
-%!   jobs = [start_tool(tempdir (), "gnuplot", "sh -c 'echo no; exit 1'"), ...
-%!           start_tool(tempdir (), "sleep", ["sh -c 'sleep 0.3; echo yes > " file "'"])];
-%!   fail ("finish_tools (jobs)", "gnuplot failed with status 1: no");
-%!   assert (fileread (file), "yes\n");
-%! unwind_protect_cleanup
-%!   unlink (file);
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder (); file = fullfile (folder, "a");
+%! jobs = [start_tool(tempdir (), "gnuplot", "sh -c 'echo no; exit 1'"), ...
+%!         start_tool(tempdir (), "sleep", ["sh -c 'sleep 0.3; echo yes > " file "'"])];
+%! fail ("finish_tools (jobs)", "gnuplot failed with status 1: no");
+%! assert (fileread (file), "yes\n");

@@ -36,11 +36,7 @@ endfunction
 %!test # gnuplot reads arrays back, also texts with blanks and quotes, and numbers that are no number of strtod's
 %! names = {"it's \"a b\"", "", "c, d [2]"};
 %! text = gnuplot_settings (struct ("names", {names}, "sizes", {{1, 1e-320, -1e300}}, "none", {{}}));
-%! file = tempname ();
-%! unwind_protect
-%!   write_text (file, [text "set print '-'; print names[1].'|'.names[2].'|'.names[3]; print sizes[2] > 0, |none|"]);
-%!   [~, said] = system (["gnuplot " file]);
-%!   assert (said, "it's \"a b\"||c, d [2]\n1 1\n");
-%! unwind_protect_cleanup
-%!   delete (file);
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder (); file = fullfile (folder, "a");
+%! write_text (file, [text "set print '-'; print names[1].'|'.names[2].'|'.names[3]; print sizes[2] > 0, |none|"]);
+%! [~, said] = system (["gnuplot " file]);
+%! assert (said, "it's \"a b\"||c, d [2]\n1 1\n");

@@ -11,13 +11,9 @@ endfunction
 %!assert (gnuplot_string ("it's"), "'it'.\"'\".'s'")
 %!test # gnuplot reads the text back
 %! text = "''it's \"a_b\" `x` $y \\n 100 %'\\";
-%! file = tempname ();
-%! unwind_protect
-%!   fid = fopen (file, "w");
-%!   fprintf (fid, "set print '-'; print %s", gnuplot_string (text));
-%!   fclose (fid);
-%!   [~, said] = system (["gnuplot " file]);
-%!   assert (said, [text "\n"]);
-%! unwind_protect_cleanup
-%!   delete (file);
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder (); file = fullfile (folder, "a");
+%! fid = fopen (file, "w");
+%! fprintf (fid, "set print '-'; print %s", gnuplot_string (text));
+%! fclose (fid);
+%! [~, said] = system (["gnuplot " file]);
+%! assert (said, [text "\n"]);

@@ -72,8 +72,8 @@ function why = finished (job, file)
 endfunction
 
 %!function [missing, warnings, there] = film_of (frames, refused)   # with an ffmpeg that refuses what matches
-%!  folder = tempname (); mkdir (folder); mkdir (fullfile (folder, "bin")); mkdir (fullfile (folder, "scratch"));
-%!  path = getenv ("PATH"); confirm_recursive_rmdir (false, "local");
+%!  [folder, gone] = scratch_folder (); mkdir (fullfile (folder, "bin")); mkdir (fullfile (folder, "scratch"));
+%!  path = getenv ("PATH");
 %!  unwind_protect
 %!    finish_tools (draw_frames (setfield (sample_drawing (frames), "frame_size", [320 320]), ...
 %!                               fullfile (folder, "scratch")));
@@ -88,7 +88,6 @@ endfunction
 %!    assert (exist (fullfile (folder, "palette.png"), "file"), 0);
 %!  unwind_protect_cleanup
 %!    setenv ("PATH", path);
-%!    rmdir (folder, "s");
 %!  end_unwind_protect
 %!endfunction
 

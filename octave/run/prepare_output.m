@@ -31,23 +31,20 @@ endfunction
 %!test # nothing is written without a folder
 %! prepare_output (struct ("folder", "", "pictures", true), struct ());
 %!test # what an hour of pictures costs is said, and how to have fewer; less, or none, goes without saying
-%! output = struct ("folder", tempname (), "pictures", true); confirm_recursive_rmdir (false, "local");
+%! [folder, gone] = scratch_folder ();
+%! output = struct ("folder", folder, "pictures", true);
 %! scene = struct ("duration", 3600, "frames_per_second", 50, "frame_size", [1280 720]);
-%! unwind_protect
-%!   said = evalc ("prepare_output (output, scene);");
-%!   expected = ["^180001 pictures will take some .* and 17 GB, after the numbers are written:" ...
-%!               " frames_per_second = 0.28 would make 1000 of them, PICTURES=no none\n$"];
-%!   assert (! isempty (regexp (said, expected)), said);
-%!   for duration = [200 900 3600]
-%!     scene.duration = duration;
-%!     parts = regexp (evalc ("prepare_output (output, scene);"), 'some (\S+) (minutes|hours) ', "tokens"){1};
-%!     seconds = picture_cost (numel (frame_times (scene)), scene.frame_size);
-%!     unit = 60^(1 + strcmp (parts{2}, "hours"));
-%!     assert (str2double (parts{1}), seconds/unit, max (0.5*60/unit, 0.05) + 1e-9);
-%!     assert (strcmp (parts{2}, "hours"), seconds >= 5400);
-%!   endfor
-%!   assert (evalc ("prepare_output (setfield (output, 'pictures', false), scene);"), "");
-%!   assert (evalc ("prepare_output (output, setfield (scene, 'duration', 2));"), "");
-%! unwind_protect_cleanup
-%!   rmdir (output.folder, "s");
-%! end_unwind_protect
+%! said = evalc ("prepare_output (output, scene);");
+%! expected = ["^180001 pictures will take some .* and 17 GB, after the numbers are written:" ...
+%!             " frames_per_second = 0.28 would make 1000 of them, PICTURES=no none\n$"];
+%! assert (! isempty (regexp (said, expected)), said);
+%! for duration = [200 900 3600]
+%!   scene.duration = duration;
+%!   parts = regexp (evalc ("prepare_output (output, scene);"), 'some (\S+) (minutes|hours) ', "tokens"){1};
+%!   seconds = picture_cost (numel (frame_times (scene)), scene.frame_size);
+%!   unit = 60^(1 + strcmp (parts{2}, "hours"));
+%!   assert (str2double (parts{1}), seconds/unit, max (0.5*60/unit, 0.05) + 1e-9);
+%!   assert (strcmp (parts{2}, "hours"), seconds >= 5400);
+%! endfor
+%! assert (evalc ("prepare_output (setfield (output, 'pictures', false), scene);"), "");
+%! assert (evalc ("prepare_output (output, setfield (scene, 'duration', 2));"), "");

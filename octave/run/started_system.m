@@ -24,17 +24,13 @@ function system = started_system (kind, scene, model)
 endfunction
 
 %!function check (scene, tolerance)   # half of a run and the rest of it are the whole
-%!  folder = tempname (); confirm_recursive_rmdir (false, "local");
-%!  unwind_protect
-%!    whole = driver (scene, "output", "");
-%!    first = setfield (scene, "duration", scene.duration/2);
-%!    evalc ("driver (first, 'output', folder, 'pictures', false);");
-%!    rest = driver (setfield (first, "initial", "from", folder), "output", "");
-%!    assert ([rest.x(:,end); rest.y(:,end)], [whole.x(:,end); whole.y(:,end)], tolerance);
-%!    fail ("driver (setfield (first, 'initial', folder), 'output', '', 'modes', [4 6])", "state the modes that it");
-%!  unwind_protect_cleanup
-%!    rmdir (folder, "s");
-%!  end_unwind_protect
+%!  [folder, gone] = scratch_folder ();
+%!  whole = driver (scene, "output", "");
+%!  first = setfield (scene, "duration", scene.duration/2);
+%!  evalc ("driver (first, 'output', folder, 'pictures', false);");
+%!  rest = driver (setfield (first, "initial", "from", folder), "output", "");
+%!  assert ([rest.x(:,end); rest.y(:,end)], [whole.x(:,end); whole.y(:,end)], tolerance);
+%!  fail ("driver (setfield (first, 'initial', folder), 'output', '', 'modes', [4 6])", "state the modes that it");
 %!endfunction
 %!test # of every kind
 %! scene = setfield (setfield (slender (), "model", "modes", [0 2]), "solver", "tolerance", 1e-8);

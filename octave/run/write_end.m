@@ -11,12 +11,8 @@ function write_end (kind, scene, run, folder)
 endfunction
 
 %!test
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   kind = struct ("name", "rod", "describe", @(scene, run) struct ("model", "three modes"));
-%!   write_end (kind, struct (), struct ("end_state", [0.5; 1e-20], "history", struct ("t", [0 1.5])), folder);
-%!   assert (fileread (fullfile (folder, "end.csv")), ...
-%!           ["rod: three modes, at t = 1.5 s\n0.5\n" sprintf("%.17g", 1e-20) "\n"]);
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! kind = struct ("name", "rod", "describe", @(scene, run) struct ("model", "three modes"));
+%! write_end (kind, struct (), struct ("end_state", [0.5; 1e-20], "history", struct ("t", [0 1.5])), folder);
+%! assert (fileread (fullfile (folder, "end.csv")), ...
+%!         ["rod: three modes, at t = 1.5 s\n0.5\n" sprintf("%.17g", 1e-20) "\n"]);

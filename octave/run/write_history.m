@@ -10,12 +10,8 @@ function write_history (names, table, file)
 endfunction
 
 %!test
-%! file = tempname ();
-%! unwind_protect
-%!   write_history ({"t [s]", "V2_1 [m]"}, [0 0.1; pi 2], file);
-%!   text = fileread (file);
-%!   assert (strncmp (text, "t [s],V2_1 [m]\n", 15));
-%!   assert (csvread (file, 1, 0), [0 pi; 0.1 2]);
-%! unwind_protect_cleanup
-%!   unlink (file);
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder (); file = fullfile (folder, "a");
+%! write_history ({"t [s]", "V2_1 [m]"}, [0 0.1; pi 2], file);
+%! text = fileread (file);
+%! assert (strncmp (text, "t [s],V2_1 [m]\n", 15));
+%! assert (csvread (file, 1, 0), [0 pi; 0.1 2]);

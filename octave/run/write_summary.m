@@ -15,13 +15,9 @@ function write_summary (summary, file)
 endfunction
 
 %!test
-%! file = tempname ();
-%! unwind_protect
-%!   summary = struct ("title", "a \"rod\"", "modes", [0 7], "none", [], "warnings", {{}});
-%!   summary.tried = struct ("name", {});
-%!   write_summary (summary, file);
-%!   assert (jsondecode (fileread (file)).modes, [0; 7]);
-%!   assert (jsondecode (fileread (file)).title, "a \"rod\"");
-%! unwind_protect_cleanup
-%!   unlink (file);
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder (); file = fullfile (folder, "a");
+%! summary = struct ("title", "a \"rod\"", "modes", [0 7], "none", [], "warnings", {{}});
+%! summary.tried = struct ("name", {});
+%! write_summary (summary, file);
+%! assert (jsondecode (fileread (file)).modes, [0; 7]);
+%! assert (jsondecode (fileread (file)).title, "a \"rod\"");

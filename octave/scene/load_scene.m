@@ -87,7 +87,7 @@ endfunction
 %! assert (numel (first.joints{2}.value (0.1)), 3);
 %!function check_path (folder, name, typed, calls = "")
 %!  ## the scene in the file FOLDER/NAME.m, read by what a user types in the folder's parent
-%!  before = pwd (); root = tempname (); mkdir (root); confirm_recursive_rmdir (false, "local");
+%!  before = pwd (); [root, gone] = scratch_folder ();
 %!  unwind_protect
 %!    cd (root); mkdir (fullfile (root, folder));
 %!    write_text (fullfile (root, folder, [name ".m"]), ...
@@ -101,7 +101,7 @@ endfunction
 %!    assert (fileread (file), fileread (fullfile (root, folder, [name ".m"])));
 %!    cd (tempdir ()); assert (load_scene (again).duration, scene.duration);
 %!  unwind_protect_cleanup
-%!    cd (before); rmdir (root, "s");
+%!    cd (before);
 %!  end_unwind_protect
 %!endfunction
 %!test # a folder of any name

@@ -50,15 +50,11 @@ endfunction
 %!error <speeds is -1: it takes rising angular velocities> campbell ("spin_up", "speeds", -1)
 
 %!function found = found_of (scene, speeds)
-%!  folder = tempname (); confirm_recursive_rmdir (false, "local");
-%!  unwind_protect
-%!    evalc ("found = campbell (scene, 'speeds', speeds, 'output', folder);");
-%!    table = csvread (fullfile (folder, "campbell.csv"), 1, 0);
-%!    assert (table(:,2), found.f(1,:).', 1e-15); assert (table(:,end), found.mac(end,:).', 1e-15);
-%!    assert (stat (fullfile (folder, "campbell.png")).size > 10000);
-%!  unwind_protect_cleanup
-%!    rmdir (folder, "s");
-%!  end_unwind_protect
+%!  [folder, gone] = scratch_folder ();
+%!  evalc ("found = campbell (scene, 'speeds', speeds, 'output', folder);");
+%!  table = csvread (fullfile (folder, "campbell.csv"), 1, 0);
+%!  assert (table(:,2), found.f(1,:).', 1e-15); assert (table(:,end), found.mac(end,:).', 1e-15);
+%!  assert (stat (fullfile (folder, "campbell.png")).size > 10000);
 %!endfunction
 %!test # in a hub: the table of Wright, Smith, Thresher and Wang (1982), flapping frequencies, to its four decimals
 %! flapping = [3.5160 22.0345 61.6972;  3.6817 22.1810 61.8418;  4.1373 22.6149 62.2732;  4.7973 23.3203 62.9850

@@ -40,16 +40,12 @@ endfunction
 
 %!error <cannot be made|can be written> conditioning ("/proc/nowhere")
 %!test # the frame of Tisserand is the better one; the condition grows with the number of functions, no faster
-%! folder = tempname (); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   evalc ("table = conditioning (folder, 180, [2 8]);");
-%!   assert (table(:,3) < table(:,4));
-%!   assert (table(2,3) < 1.2*4*table(1,3));
-%!   assert (csvread (fullfile (folder, "conditioning.csv"), 1, 0), table, 1e-9);
-%!   evalc ("table = conditioning (folder, 0.01, 1);");  # a sine's correlation with the rotation of a straight rod
-%!   c = sqrt (6)/pi;
-%!   assert (table, [0.01, 1, 1, (1 + c)/(1 - c)], 1e-3);
-%!   assert (isempty (strfind (evalc ("conditioning (folder, 180, 2)"), "ans =")));  # nothing is echoed
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! evalc ("table = conditioning (folder, 180, [2 8]);");
+%! assert (table(:,3) < table(:,4));
+%! assert (table(2,3) < 1.2*4*table(1,3));
+%! assert (csvread (fullfile (folder, "conditioning.csv"), 1, 0), table, 1e-9);
+%! evalc ("table = conditioning (folder, 0.01, 1);");  # a sine's correlation with the rotation of a straight rod
+%! c = sqrt (6)/pi;
+%! assert (table, [0.01, 1, 1, (1 + c)/(1 - c)], 1e-3);
+%! assert (isempty (strfind (evalc ("conditioning (folder, 180, 2)"), "ans =")));  # nothing is echoed

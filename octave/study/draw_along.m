@@ -30,11 +30,7 @@ endfunction
 %!test # one body, and two of which the second has no stress
 %! body = struct ("N", rand (41, 1), "M", 1e4*rand (41, 1), "stress", 1e7*rand (41, 1));
 %! for along = {{body}, {body, setfield(body, "stress", NaN (41, 1))}}
-%!   folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%!   unwind_protect
-%!     draw = {@(scratch) draw_along(along{1}, {"it's a \"rod\"", "b"}(1:numel (along{1})), "a_b", scratch)};
-%!     assert (draw_files (folder, draw, {"along.svg", "along.png"}), cell (0, 2));
-%!   unwind_protect_cleanup
-%!     rmdir (folder, "s");
-%!   end_unwind_protect
+%!   [folder, gone] = scratch_folder ();
+%!   draw = {@(scratch) draw_along(along{1}, {"it's a \"rod\"", "b"}(1:numel (along{1})), "a_b", scratch)};
+%!   assert (draw_files (folder, draw, {"along.svg", "along.png"}), cell (0, 2));
 %! endfor

@@ -30,11 +30,7 @@ endfunction
 %!test # with something unstable, and without
 %! found = struct ("speeds", [0 2 4], "f", [1 3 4; 5 7 0], "growth", [0 0 0; 0 0 0.5]);
 %! for given = {found, setfield(found, "growth", zeros (2, 3))}
-%!   folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%!   unwind_protect
-%!     draw = {@(scratch) draw_campbell(given{1}, "it's a \"rod\"", scratch)};
-%!     assert (draw_files (folder, draw, {"campbell.svg", "campbell.png"}), cell (0, 2));
-%!   unwind_protect_cleanup
-%!     rmdir (folder, "s");
-%!   end_unwind_protect
+%!   [folder, gone] = scratch_folder ();
+%!   draw = {@(scratch) draw_campbell(given{1}, "it's a \"rod\"", scratch)};
+%!   assert (draw_files (folder, draw, {"campbell.svg", "campbell.png"}), cell (0, 2));
 %! endfor

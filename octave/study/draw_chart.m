@@ -78,13 +78,9 @@ endfunction
 %! drifting = row;
 %! [drifting.drift] = deal (1e-6, 0, 1e-3);
 %! for given = {{row, ladder, [2 0.1 100; 4 0.3 200]}, {drifting, struct([]), zeros(0, 3)}}
-%!   folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%!   unwind_protect
-%!     draw = {@(scratch) draw_chart(given{1}{:}, notes, scratch)};
-%!     assert (draw_files (folder, draw, {"chart.svg", "chart.png"}), cell (0, 2));
-%!   unwind_protect_cleanup
-%!     rmdir (folder, "s");
-%!   end_unwind_protect
+%!   [folder, gone] = scratch_folder ();
+%!   draw = {@(scratch) draw_chart(given{1}{:}, notes, scratch)};
+%!   assert (draw_files (folder, draw, {"chart.svg", "chart.png"}), cell (0, 2));
 %! endfor
 %!function text = settings_of (varargin)
 %!  scratch = varargin{end};

@@ -24,16 +24,12 @@ function job = draw_ladder (table, labels, scene, scratch)
 endfunction
 
 %!test
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   row = struct ("method", "exponential", "error_m", 1e-3, "seconds", 2, "label", "3", ...
-%!                 "curve", {"no foreshortening", "with foreshortening"}, "chosen", {false, true});
-%!   scene = struct ("title", "it's a \"rod\" {1}", "solver", struct ("tolerance", 1e-2));
-%!   draw = {@(scratch) draw_ladder(row, "it's a number", scene, scratch)};
-%!   assert (draw_files (folder, draw, {"models.svg", "models.png"}), cell (0, 2));
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! row = struct ("method", "exponential", "error_m", 1e-3, "seconds", 2, "label", "3", ...
+%!               "curve", {"no foreshortening", "with foreshortening"}, "chosen", {false, true});
+%! scene = struct ("title", "it's a \"rod\" {1}", "solver", struct ("tolerance", 1e-2));
+%! draw = {@(scratch) draw_ladder(row, "it's a number", scene, scratch)};
+%! assert (draw_files (folder, draw, {"models.svg", "models.png"}), cell (0, 2));
 %!function text = settings_of (table, scene, scratch)
 %!  finish_tool (draw_ladder (table, "modes", scene, scratch));
 %!  text = fileread (fullfile (scratch, "settings.gp"));

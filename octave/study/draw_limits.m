@@ -22,15 +22,11 @@ function job = draw_limits (curves, title, omega, scratch)
 endfunction
 
 %!test
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   curves = {struct("method", "rk4", "limit", 2.83, "points", [1 1 1; 2.9 1.2 1.2]), ...
-%!             struct("method", "ode23", "limit", 1.73, "points", [1 1 1; 1.8 1.2 Inf])};
-%!   draw = {@(scratch) draw_limits(curves, "it's a \"rod\"", 1e4, scratch)};
-%!   assert (draw_files (folder, draw, {"stability.svg", "stability.png"}), cell (0, 2));
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! curves = {struct("method", "rk4", "limit", 2.83, "points", [1 1 1; 2.9 1.2 1.2]), ...
+%!           struct("method", "ode23", "limit", 1.73, "points", [1 1 1; 1.8 1.2 Inf])};
+%! draw = {@(scratch) draw_limits(curves, "it's a \"rod\"", 1e4, scratch)};
+%! assert (draw_files (folder, draw, {"stability.svg", "stability.png"}), cell (0, 2));
 %!function text = settings_of (varargin)
 %!  scratch = varargin{end};
 %!  finish_tool (draw_limits (varargin{:}));

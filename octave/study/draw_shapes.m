@@ -34,14 +34,10 @@ endfunction
 %! scene = struct ("title", "A \"rod\"", "view", struct ("elevation", 20, "azimuth", 30));
 %! line = @(n) {rand(5, n), rand(5, n)};
 %! for n = [2 3]
-%!   folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%!   unwind_protect
-%!     panels = struct ("title", {"1: 2 Hz", "it's {2}"}, "faint", {line(n), line(n)}, "strong", {line(n), line(n)});
-%!     draw = {@(scratch) draw_shapes("modes", panels, scene, scratch)};
-%!     assert (draw_files (folder, draw, {"modes.svg", "modes.png"}), cell (0, 2));
-%!   unwind_protect_cleanup
-%!     rmdir (folder, "s");
-%!   end_unwind_protect
+%!   [folder, gone] = scratch_folder ();
+%!   panels = struct ("title", {"1: 2 Hz", "it's {2}"}, "faint", {line(n), line(n)}, "strong", {line(n), line(n)});
+%!   draw = {@(scratch) draw_shapes("modes", panels, scene, scratch)};
+%!   assert (draw_files (folder, draw, {"modes.svg", "modes.png"}), cell (0, 2));
 %! endfor
 %!function text = settings_of (panels, scratch)
 %!  finish_tool (draw_shapes ("modes", panels, struct ("title", "A rod"), scratch));

@@ -33,17 +33,13 @@ function points = region (method)
 endfunction
 
 %!test
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   pair = [1 1; 2 2];
-%!   wall = [1e-3 1 1e-4; 1e-4 0.5 1e-5];
-%!   pictures = struct ("damping", pair/3, "ode45_wall", wall, "ode23_wall", wall, "resonances", pair, ...
-%!                      "trigonometric", pair, "stormer_verlet", pair, "implicit_midpoint", pair);
-%!   draw = {@(scratch) draw_stability(pictures, scratch)};
-%!   assert (draw_files (folder, draw, {"stability.svg", "stability.png"}), cell (0, 2));
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! pair = [1 1; 2 2];
+%! wall = [1e-3 1 1e-4; 1e-4 0.5 1e-5];
+%! pictures = struct ("damping", pair/3, "ode45_wall", wall, "ode23_wall", wall, "resonances", pair, ...
+%!                    "trigonometric", pair, "stormer_verlet", pair, "implicit_midpoint", pair);
+%! draw = {@(scratch) draw_stability(pictures, scratch)};
+%! assert (draw_files (folder, draw, {"stability.svg", "stability.png"}), cell (0, 2));
 %!function text = settings_of (pictures, scratch)
 %!  finish_tool (draw_stability (pictures, scratch));
 %!  text = fileread (fullfile (scratch, "settings.gp"));

@@ -54,10 +54,6 @@ endfunction
 %!  assert (stat (fullfile (folder, "mode_1.gif")).size > 5000);
 %!endfunction
 %!test
-%! folder = tempname (); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   check_film (folder);
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! check_film (folder);
 %!error <film is 0: it takes numbers of modes, from 1 to 12> natural_modes ("swing", "film", 0);

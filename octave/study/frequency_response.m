@@ -63,18 +63,14 @@ endfunction
 %! scene.initial.phi = -pi/2;
 %! scene.joints = {struct("name", "pull", "kind", "force", "stations", 1, "value", [0 0])};
 %! scene.duration = 1;
-%! folder = tempname (); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   evalc ("found = frequency_response (scene, 'frequencies', [0 0.1 1], 'output', folder);");
-%!   assert (found.inputs, {"moment [N m]", "pull_x [N]", "pull_y [N]"}(end-1:end));
-%!   assert (squeeze (found.response(1,1,:)).', 1./(3*9.81/2 - (2*pi*[0 0.1 1]).^2), 1e-8);
-%!   assert (stat (fullfile (folder, "response.png")).size > 10000);
-%!   scene.model.modes = [0 1];  # so stiff that it does the same
-%!   evalc ("stiff = frequency_response (scene, 'frequencies', [0 0.1 1], 'output', folder);");
-%!   assert (stiff.response(1,1,:), found.response(1,1,:), -1e-5);
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! evalc ("found = frequency_response (scene, 'frequencies', [0 0.1 1], 'output', folder);");
+%! assert (found.inputs, {"moment [N m]", "pull_x [N]", "pull_y [N]"}(end-1:end));
+%! assert (squeeze (found.response(1,1,:)).', 1./(3*9.81/2 - (2*pi*[0 0.1 1]).^2), 1e-8);
+%! assert (stat (fullfile (folder, "response.png")).size > 10000);
+%! scene.model.modes = [0 1];  # so stiff that it does the same
+%! evalc ("stiff = frequency_response (scene, 'frequencies', [0 0.1 1], 'output', folder);");
+%! assert (stiff.response(1,1,:), found.response(1,1,:), -1e-5);
 %!test # an exact body with a heavy load at its tip bends as F l^3/(3 E I) has it, and its mass is not singular
 %! warning ("error", "Octave:nearly-singular-matrix", "local");
 %! warning ("error", "Octave:singular-matrix", "local");
@@ -85,13 +81,9 @@ endfunction
 %!                 struct("name", "load", "kind", "force", "bodies", 1, "stations", 0.01, "value", [0 0])};
 %! scene.gravity = 0;
 %! scene.duration = 1;
-%! folder = tempname (); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   evalc ("found = frequency_response (scene, 'frequencies', [1e-4 1], 'output', folder);");
-%!   [across, along] = deal (strcmp (found.outputs, "tip_y_1 [m]"), strcmp (found.inputs, "load_y [N]"));
-%!   assert (abs (found.response(across,along,1)), 0.01^3/(3*0.28), -1e-5);
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! evalc ("found = frequency_response (scene, 'frequencies', [1e-4 1], 'output', folder);");
+%! [across, along] = deal (strcmp (found.outputs, "tip_y_1 [m]"), strcmp (found.inputs, "load_y [N]"));
+%! assert (abs (found.response(across,along,1)), 0.01^3/(3*0.28), -1e-5);
 %!error <frequencies is -1: it takes rising frequencies in Hz> frequency_response ("swing", "frequencies", -1)
 %!error <neither loads nor prescribed motions> frequency_response (setfield (chain (1), "duration", 1))

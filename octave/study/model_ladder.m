@@ -86,31 +86,23 @@ endfunction
 
 %!error <cannot be made|can be written> model_ladder ("chain(20)", "output", "/proc/nowhere")
 %!test # a rigid rod is enough, and the table has it
-%! folder = tempname (); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   scene = setfield (setfield (swing (), "duration", 0.002), "frames_per_second", 1000);
-%!   scene.model.stiffening = "none";
-%!   evalc ("table = model_ladder (scene, 'output', folder);");
-%!   assert (table(find ([table.chosen], 1)).model, "rigid");
-%!   lines = strsplit (strtrim (fileread (fullfile (folder, "models.csv"))), "\n");
-%!   assert (numel (lines), numel (table) + 1);
-%!   assert (stat (fullfile (folder, "models.png")).size > 10000);
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! scene = setfield (setfield (swing (), "duration", 0.002), "frames_per_second", 1000);
+%! scene.model.stiffening = "none";
+%! evalc ("table = model_ladder (scene, 'output', folder);");
+%! assert (table(find ([table.chosen], 1)).model, "rigid");
+%! lines = strsplit (strtrim (fileread (fullfile (folder, "models.csv"))), "\n");
+%! assert (numel (lines), numel (table) + 1);
+%! assert (stat (fullfile (folder, "models.png")).size > 10000);
 %!test # of every other kind, too: more modes, a smaller error
 %! scenes = {setfield(setfield (arc_pendulum (), "duration", 0.05), "solver", "tolerance", 1e-4), ...
 %!           setfield(setfield (setfield (chain (1), "duration", 0.01), "frames_per_second", 300), "solver", ...
 %!                    "tolerance", 1e-4), ...
 %!           setfield(setfield (large_swing (), "duration", 0.02), "solver", "tolerance", 1e-3)};
 %! for scene = scenes
-%!   folder = tempname (); confirm_recursive_rmdir (false, "local");
-%!   unwind_protect
-%!     evalc ("table = model_ladder (scene{1}, 'output', folder, 'pictures', false);");
-%!     assert (sum ([table.chosen] & ! strcmp ({table.method}, "ode45")), 1);
-%!     assert (table(end-1).error_m > 0 && table(1).error_m >= table([table.chosen])(1).error_m);
-%!     assert (exist (fullfile (folder, "models.csv"), "file"), 2);
-%!   unwind_protect_cleanup
-%!     rmdir (folder, "s");
-%!   end_unwind_protect
+%!   [folder, gone] = scratch_folder ();
+%!   evalc ("table = model_ladder (scene{1}, 'output', folder, 'pictures', false);");
+%!   assert (sum ([table.chosen] & ! strcmp ({table.method}, "ode45")), 1);
+%!   assert (table(end-1).error_m > 0 && table(1).error_m >= table([table.chosen])(1).error_m);
+%!   assert (exist (fullfile (folder, "models.csv"), "file"), 2);
 %! endfor

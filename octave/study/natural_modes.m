@@ -99,29 +99,21 @@ endfunction
 
 %!error <time is soon: it takes a time in s, not negative> natural_modes ("paper", "time", "soon")
 %!test # about the state of a run: as many as it has modes
-%! folder = tempname (); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   said = evalc ("table = natural_modes ('spin_up', 'time', 0.5, 'modes', [0 2], 'output', folder);");
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! said = evalc ("table = natural_modes ('spin_up', 'time', 0.5, 'modes', [0 2], 'output', folder);");
 %! assert (numel (table), 2); assert (isnan ([table.change]));
 %! assert (! isempty (strfind (said, "of the modes of the run up to t = 0.5 s")));
 %!error <cannot be made|can be written> natural_modes ("paper", "output", "/proc/nowhere")
 %!test # a rod swings about its hinge, and bends; table and pictures are there
-%! folder = tempname (); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   said = evalc ("table = natural_modes ('slender', 'output', folder);");
-%!   assert (table(1).omega, sqrt (1.5*9.81), -0.01);  # nearly that of a rigid one of 1 m
-%!   assert ([table(1:3).change] <= 1e-5); assert (table(2).share, 1, 1e-12);
-%!   lines = strsplit (strtrim (fileread (fullfile (folder, "modes.csv"))), "\n");
-%!   assert (lines{1}, "mode,f [Hz],omega [rad/s],damping ratio,growth [1/s],change,share of body 1");
-%!   assert (str2double (strsplit (lines{3}, ","){3}), table(2).omega, -1e-15);
-%!   assert (stat (fullfile (folder, "modes.png")).size > 10000);
-%!   assert (! isempty (regexp (said, sprintf ("%.8g Hz", table(2).f))));
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! said = evalc ("table = natural_modes ('slender', 'output', folder);");
+%! assert (table(1).omega, sqrt (1.5*9.81), -0.01);  # nearly that of a rigid one of 1 m
+%! assert ([table(1:3).change] <= 1e-5); assert (table(2).share, 1, 1e-12);
+%! lines = strsplit (strtrim (fileread (fullfile (folder, "modes.csv"))), "\n");
+%! assert (lines{1}, "mode,f [Hz],omega [rad/s],damping ratio,growth [1/s],change,share of body 1");
+%! assert (str2double (strsplit (lines{3}, ","){3}), table(2).omega, -1e-15);
+%! assert (stat (fullfile (folder, "modes.png")).size > 10000);
+%! assert (! isempty (regexp (said, sprintf ("%.8g Hz", table(2).f))));
 %!test # upright it falls, by exp (sqrt (3 g/(2 l)) t)
 %! scene = setfield (setfield (slender (), "initial", "phi", pi/2), "gravity", 0.1);
 %! said = evalc ("table = natural_modes (scene, 'modes', [0 0], 'output', '');");

@@ -30,26 +30,19 @@ function publish_study (output, numbers, pictures, write, varargin)
 endfunction
 
 %!function there = study (draw, pictures = true)   # what is there of a table and a picture, after an older picture
-%!  output = struct ("folder", tempname (), "pictures", pictures); confirm_recursive_rmdir (false, "local");
+%!  [folder, gone] = scratch_folder ();
+%!  write_text (fullfile (folder, "a.svg"), "old");
 %!  write = @(folder) write_text (fullfile (folder, "a.csv"), "1\n");
-%!  unwind_protect
-%!    mkdir (output.folder); write_text (fullfile (output.folder, "a.svg"), "old");
-%!    publish_study (output, {"a.csv"}, {"a.svg"}, write, draw);
-%!    there = setdiff ({dir(output.folder).name}, {".", ".."});
-%!  unwind_protect_cleanup
-%!    rmdir (output.folder, "s");
-%!  end_unwind_protect
+%!  publish_study (struct ("folder", folder, "pictures", pictures), {"a.csv"}, {"a.svg"}, write, draw);
+%!  there = setdiff ({dir(folder).name}, {".", ".."});
 %!endfunction
 
 %!test # pictures of two tools
 %! draw = @(name) @(scratch) start_tool (scratch, "gnuplot", ["echo '</svg>' >../" name]);
-%! output = struct ("folder", tempname (), "pictures", true); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   evalc ("publish_study (output, {}, {'a.svg', 'b.svg'}, @(folder) 0, draw ('a.svg'), draw ('b.svg'));");
-%!   assert (setdiff ({dir(output.folder).name}, {".", ".."}), {"a.svg", "b.svg"});
-%! unwind_protect_cleanup
-%!   rmdir (output.folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! output = struct ("folder", folder, "pictures", true);
+%! evalc ("publish_study (output, {}, {'a.svg', 'b.svg'}, @(folder) 0, draw ('a.svg'), draw ('b.svg'));");
+%! assert (setdiff ({dir(folder).name}, {".", ".."}), {"a.svg", "b.svg"});
 %!test # table and picture; a table alone where the tool fails, which is said, and where no picture is wanted
 %! good = @(scratch) start_tool (scratch, "gnuplot", "echo '</svg>' >../a.svg");
 %! bad = @(scratch) start_tool (scratch, "gnuplot", "sh -c 'echo no; exit 1'");

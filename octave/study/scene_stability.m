@@ -127,16 +127,12 @@ endfunction
 %! scenes = {setfield(paper (), "model", "modes", [0 1]), chain(1), setfield(large_swing (), "model", "modes", [4 4]), ...
 %!           setfield(arc_pendulum (), "model", "modes", [0 2]), setfield(spin_up (), "model", "modes", [0 2])};
 %! for scene = scenes
-%!   folder = tempname (); confirm_recursive_rmdir (false, "local");
-%!   unwind_protect
-%!     evalc ("table = scene_stability (scene{1}, 'output', folder);");
-%!     grown = table(strncmp ({table.what}, "h omega at which", 16));
-%!     assert ([grown.measured], [grown.predicted], -0.01);
-%!     assert (numel (grown) >= 3);
-%!     walls = table(strncmp ({table.what}, "mean h omega", 12));  # beyond the limit it grows, first slowly
-%!     assert ([walls.measured]./cellfun (@stability_limit, {walls.method}), 1.2*ones (size (walls)), 0.45);
-%!     assert (stat (fullfile (folder, "stability.png")).size > 10000);
-%!   unwind_protect_cleanup
-%!     rmdir (folder, "s");
-%!   end_unwind_protect
+%!   [folder, gone] = scratch_folder ();
+%!   evalc ("table = scene_stability (scene{1}, 'output', folder);");
+%!   grown = table(strncmp ({table.what}, "h omega at which", 16));
+%!   assert ([grown.measured], [grown.predicted], -0.01);
+%!   assert (numel (grown) >= 3);
+%!   walls = table(strncmp ({table.what}, "mean h omega", 12));  # beyond the limit it grows, first slowly
+%!   assert ([walls.measured]./cellfun (@stability_limit, {walls.method}), 1.2*ones (size (walls)), 0.45);
+%!   assert (stat (fullfile (folder, "stability.png")).size > 10000);
 %! endfor

@@ -102,33 +102,25 @@ endfunction
 
 %!error <time is -1: it takes a time in s> statics ("swing", "time", -1)
 %!test # the rod hangs, stretched by its weight, and the table has where
-%! folder = tempname (); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   said = evalc ("found = statics ('swing', 'output', folder);");
-%!   assert (found.stable); assert (found.shape{1}(end,1), 0, 1e-9);
-%!   csv = csvread (fullfile (folder, "shape.csv"), 1, 1);
-%!   assert (csv(end,1:3), [1, found.shape{1}(end,:)], 1e-15);
-%!   assert (stat (fullfile (folder, "shape.png")).size > 5000);
-%!   assert (stat (fullfile (folder, "along.png")).size > 5000);
-%!   along = csvread (fullfile (folder, "along.csv"), 1, 1);
-%!   assert (along(1,2), 0.04*0.04*0.5*7800*9.81, 1e-9);
-%!   assert (! isempty (strfind (said, "stable: the slowest vibration about it has")));
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! said = evalc ("found = statics ('swing', 'output', folder);");
+%! assert (found.stable); assert (found.shape{1}(end,1), 0, 1e-9);
+%! csv = csvread (fullfile (folder, "shape.csv"), 1, 1);
+%! assert (csv(end,1:3), [1, found.shape{1}(end,:)], 1e-15);
+%! assert (stat (fullfile (folder, "shape.png")).size > 5000);
+%! assert (stat (fullfile (folder, "along.png")).size > 5000);
+%! along = csvread (fullfile (folder, "along.csv"), 1, 1);
+%! assert (along(1,2), 0.04*0.04*0.5*7800*9.81, 1e-9);
+%! assert (! isempty (strfind (said, "stable: the slowest vibration about it has")));
 %!error <factor is 2: it takes two rising numbers or more> statics ("two_link_arm", "factor", 2)
 %!error <factor is 0   2   1: it takes two rising> statics ("two_link_arm", "factor", [0 2 1])
 %!error <no force and no moment at t = 0 s that a factor could multiply> statics ("swing", "factor", 0:1)
 %!test # a path, its table and its picture
-%! folder = tempname (); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   said = evalc ("found = statics ('roof', 'factor', [0 2], 'modes', [1 0], 'output', folder);");
-%!   assert ({found.events.what}, {"limit point", "limit point"});
-%!   assert (! isempty (strfind (said, sprintf ("  %.9g times the loads: limit point\n", found.events(1).factor))));
-%!   assert (! isempty (strfind (said, "the path ends at 2 times the loads, the last factor")));
-%!   csv = csvread (fullfile (folder, "path.csv"), 1, 0);
-%!   assert (csv(:,1).', found.factor, 1e-15);
-%!   assert (stat (fullfile (folder, "path.png")).size > 10000);
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! said = evalc ("found = statics ('roof', 'factor', [0 2], 'modes', [1 0], 'output', folder);");
+%! assert ({found.events.what}, {"limit point", "limit point"});
+%! assert (! isempty (strfind (said, sprintf ("  %.9g times the loads: limit point\n", found.events(1).factor))));
+%! assert (! isempty (strfind (said, "the path ends at 2 times the loads, the last factor")));
+%! csv = csvread (fullfile (folder, "path.csv"), 1, 0);
+%! assert (csv(:,1).', found.factor, 1e-15);
+%! assert (stat (fullfile (folder, "path.png")).size > 10000);

@@ -18,12 +18,8 @@ function write_along (along, folder)
 endfunction
 
 %!test
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   body = struct ("N", [1; 2], "stress", [3; 4]);
-%!   write_along ({body, setfield(body, "stress", [NaN; NaN])}, folder);
-%!   assert (fileread (fullfile (folder, "along.csv")), ...
-%!           "body,part of the length,N [N],stress [Pa]\n1,0,1,3\n1,1,2,4\n2,0,1,\n2,1,2,\n");
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! body = struct ("N", [1; 2], "stress", [3; 4]);
+%! write_along ({body, setfield(body, "stress", [NaN; NaN])}, folder);
+%! assert (fileread (fullfile (folder, "along.csv")), ...
+%!         "body,part of the length,N [N],stress [Pa]\n1,0,1,3\n1,1,2,4\n2,0,1,\n2,1,2,\n");

@@ -13,13 +13,9 @@ function write_campbell (found, folder)
 endfunction
 
 %!test
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   found = struct ("speeds", [0 2], "f", [1 3; 5 7], "growth", [0 0; 0 0.5], "mac", [1 0.75; 1 0.5]);
-%!   write_campbell (found, folder);
-%!   assert (fileread (fullfile (folder, "campbell.csv")), ...
-%!           ["speed [rad/s],f_1 [Hz],f_2 [Hz],growth_1 [1/s],growth_2 [1/s],MAC_1,MAC_2\n" ...
-%!            "0,1,5,0,0,1,1\n2,3,7,0,0.5,0.75,0.5\n"]);
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! found = struct ("speeds", [0 2], "f", [1 3; 5 7], "growth", [0 0; 0 0.5], "mac", [1 0.75; 1 0.5]);
+%! write_campbell (found, folder);
+%! assert (fileread (fullfile (folder, "campbell.csv")), ...
+%!         ["speed [rad/s],f_1 [Hz],f_2 [Hz],growth_1 [1/s],growth_2 [1/s],MAC_1,MAC_2\n" ...
+%!          "0,1,5,0,0,1,1\n2,3,7,0,0.5,0.75,0.5\n"]);

@@ -19,17 +19,13 @@ function write_chart (table, cost, title, words, folder)
 endfunction
 
 %!test # a whole run, a part of one and a failure
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   row = struct ("method", "rk4", "parameter", {1e-3 1e-4 1e-5}, "error_m", {1e-3 1e-5 NaN}, ...
-%!                 "drift", {1e-4 1e-5 NaN}, "seconds", {1 2 3}, "calls", {10 20 30}, ...
-%!                 "part", {1 0.25 1}, "failure", {"", "", "rk4 stopped"});
-%!   write_chart (row, [2 0.1 100; 4 0.3 200], "A rod", "It is fast.", folder);
-%!   lines = strsplit (fileread (fullfile (folder, "chart.csv")), "\n");
-%!   assert (lines{3}, "rk4,0.0001,1.0000000000000001e-05,1.0000000000000001e-05,2,20,0.25,\"\"");
-%!   assert (lines{4}, "rk4,1.0000000000000001e-05,NaN,NaN,3,30,1,\"rk4 stopped\"");
-%!   assert (csvread (fullfile (folder, "cost.csv"), 1, 0), [2 0.1 100; 4 0.3 200]);
-%!   assert (fileread (fullfile (folder, "chart.md")), "# A rod\n\nIt is fast.\n");
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! row = struct ("method", "rk4", "parameter", {1e-3 1e-4 1e-5}, "error_m", {1e-3 1e-5 NaN}, ...
+%!               "drift", {1e-4 1e-5 NaN}, "seconds", {1 2 3}, "calls", {10 20 30}, ...
+%!               "part", {1 0.25 1}, "failure", {"", "", "rk4 stopped"});
+%! write_chart (row, [2 0.1 100; 4 0.3 200], "A rod", "It is fast.", folder);
+%! lines = strsplit (fileread (fullfile (folder, "chart.csv")), "\n");
+%! assert (lines{3}, "rk4,0.0001,1.0000000000000001e-05,1.0000000000000001e-05,2,20,0.25,\"\"");
+%! assert (lines{4}, "rk4,1.0000000000000001e-05,NaN,NaN,3,30,1,\"rk4 stopped\"");
+%! assert (csvread (fullfile (folder, "cost.csv"), 1, 0), [2 0.1 100; 4 0.3 200]);
+%! assert (fileread (fullfile (folder, "chart.md")), "# A rod\n\nIt is fast.\n");

@@ -13,12 +13,8 @@ function write_ladder (table, folder)
 endfunction
 
 %!test
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   write_ladder (struct ("model", "3 bending modes, foreshortening", "method", "exponential", "error_m", 1e-3, ...
-%!                         "seconds", 2, "calls", 7, "chosen", true, "part", 0.5), folder);
-%!   lines = strsplit (fileread (fullfile (folder, "models.csv")), "\n");
-%!   assert (lines{2}, "\"3 bending modes, foreshortening\",exponential,0.001,2,7,1,0.5");
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! write_ladder (struct ("model", "3 bending modes, foreshortening", "method", "exponential", "error_m", 1e-3, ...
+%!                       "seconds", 2, "calls", 7, "chosen", true, "part", 0.5), folder);
+%! lines = strsplit (fileread (fullfile (folder, "models.csv")), "\n");
+%! assert (lines{2}, "\"3 bending modes, foreshortening\",exponential,0.001,2,7,1,0.5");

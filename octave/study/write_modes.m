@@ -13,13 +13,9 @@ function write_modes (rows, names, folder)
 endfunction
 
 %!test
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   row = struct ("mode", 2, "f", 0.5, "omega", pi, "damping", 0.1, "growth", 0, "change", 1e-8, "share", [0.25 0.75]);
-%!   write_modes (row, {"a", "b"}, folder);
-%!   lines = strsplit (fileread (fullfile (folder, "modes.csv")), "\n");
-%!   assert (lines{1}, "mode,f [Hz],omega [rad/s],damping ratio,growth [1/s],change,share of a,share of b");
-%!   assert (lines{2}, "2,0.5,3.1415926535897931,0.10000000000000001,0,1e-08,0.25,0.75");
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! row = struct ("mode", 2, "f", 0.5, "omega", pi, "damping", 0.1, "growth", 0, "change", 1e-8, "share", [0.25 0.75]);
+%! write_modes (row, {"a", "b"}, folder);
+%! lines = strsplit (fileread (fullfile (folder, "modes.csv")), "\n");
+%! assert (lines{1}, "mode,f [Hz],omega [rad/s],damping ratio,growth [1/s],change,share of a,share of b");
+%! assert (lines{2}, "2,0.5,3.1415926535897931,0.10000000000000001,0,1e-08,0.25,0.75");

@@ -14,14 +14,10 @@ function write_response (found, folder)
 endfunction
 
 %!test
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   found = struct ("f", [1 2], "response", cat (3, [1; 2i], [3; -4]), "inputs", {{"pull [N]"}}, ...
-%!                   "outputs", {{"tip_x [m]", "tip_y [m]"}});
-%!   write_response (found, folder);
-%!   assert (strsplit (fileread (fullfile (folder, "response.csv")), "\n"){1}, ...
-%!           'f [Hz],"tip_x [m] by pull [N]","phase [rad]","tip_y [m] by pull [N]","phase [rad]"');
-%!   assert (csvread (fullfile (folder, "response.csv"), 1, 0), [1 1 0 2 pi/2; 2 3 0 4 pi], 1e-12);
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! found = struct ("f", [1 2], "response", cat (3, [1; 2i], [3; -4]), "inputs", {{"pull [N]"}}, ...
+%!                 "outputs", {{"tip_x [m]", "tip_y [m]"}});
+%! write_response (found, folder);
+%! assert (strsplit (fileread (fullfile (folder, "response.csv")), "\n"){1}, ...
+%!         'f [Hz],"tip_x [m] by pull [N]","phase [rad]","tip_y [m] by pull [N]","phase [rad]"');
+%! assert (csvread (fullfile (folder, "response.csv"), 1, 0), [1 1 0 2 pi/2; 2 3 0 4 pi], 1e-12);

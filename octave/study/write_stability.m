@@ -12,11 +12,7 @@ function write_stability (table, folder)
 endfunction
 
 %!test
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   write_stability (struct ("method", "rk4", "what", "limit", "predicted", 2.5, "measured", 2.8), folder);
-%!   text = fileread (fullfile (folder, "stability.csv"));
-%!   assert (text, "method,what,predicted,measured\n\"rk4\",\"limit\",2.5,2.7999999999999998\n");
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! write_stability (struct ("method", "rk4", "what", "limit", "predicted", 2.5, "measured", 2.8), folder);
+%! text = fileread (fullfile (folder, "stability.csv"));
+%! assert (text, "method,what,predicted,measured\n\"rk4\",\"limit\",2.5,2.7999999999999998\n");

@@ -23,16 +23,12 @@ function write_statics (found, time, folder)
 endfunction
 
 %!test
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   found = struct ("shape", {{[0 0; 1 2], [1 2; 3 4]}}, "stable", true, "slowest", 3, "vibrations", ...
-%!                   struct ("rate", [0 0]), "functions", 8, "change", [0 1e-9], "supports", {{"reaction_x [N]", 6}});
-%!   write_statics (found, 0.5, folder);
-%!   assert (fileread (fullfile (folder, "shape.csv")), ...
-%!           "body,part of the length,x [m],y [m]\n1,0,0,0\n1,1,1,2\n2,0,1,2\n2,1,3,4\n");
-%!   text = fileread (fullfile (folder, "statics.csv"));
-%!   assert (! isempty (strfind (text, "\n\"reaction_x [N]\",6\n")));
-%!   assert (! isempty (strfind (text, "\"time [s]\",0.5\n")));
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! found = struct ("shape", {{[0 0; 1 2], [1 2; 3 4]}}, "stable", true, "slowest", 3, "vibrations", ...
+%!                 struct ("rate", [0 0]), "functions", 8, "change", [0 1e-9], "supports", {{"reaction_x [N]", 6}});
+%! write_statics (found, 0.5, folder);
+%! assert (fileread (fullfile (folder, "shape.csv")), ...
+%!         "body,part of the length,x [m],y [m]\n1,0,0,0\n1,1,1,2\n2,0,1,2\n2,1,3,4\n");
+%! text = fileread (fullfile (folder, "statics.csv"));
+%! assert (! isempty (strfind (text, "\n\"reaction_x [N]\",6\n")));
+%! assert (! isempty (strfind (text, "\"time [s]\",0.5\n")));

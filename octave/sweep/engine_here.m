@@ -58,9 +58,8 @@ endfunction
 %!error <HOSTS takes ENGINE=parallel, and this is make> of ("make", 2, "hosts", "a")
 %!error <MEMORY takes ENGINE=parallel or slurm, and this is make> of ("make", 2, "memory", "2G")
 %!function check (said, expected)
-%!  path = getenv ("PATH");
+%!  path = getenv ("PATH"); [folder, gone] = scratch_folder ();
 %!  unwind_protect
-%!    folder = tempname (); mkdir (folder);
 %!    write_text (fullfile (folder, "parallel"), sprintf ("#!/bin/sh\necho '%s'\n", said));
 %!    system (["chmod +x " fullfile(folder, "parallel")]);
 %!    setenv ("PATH", [folder ":" path]);
@@ -69,22 +68,21 @@ endfunction
 %!    assert (nthargout (1:2, @of, "auto", [], "hosts", "a"), {"parallel", Inf});
 %!    fail ("of ('parallel', 1, 'memory', '2 G')", "memory is 2 G: it takes a whole number and K, M, G or T");
 %!  unwind_protect_cleanup
-%!    setenv ("PATH", path); confirm_recursive_rmdir (false, "local"); rmdir (folder, "s");
+%!    setenv ("PATH", path);
 %!  end_unwind_protect
 %!endfunction
 %!test check ("GNU parallel 20221122", "parallel");
 %!error <ENGINE=parallel: GNU parallel is not installed: `make setup SWEEP=yes' installs it>
 %! check ("parallel of moreutils", "make");
 %!function with_sbatch (status, jobs)
-%!  path = getenv ("PATH");
+%!  path = getenv ("PATH"); [folder, gone] = scratch_folder ();
 %!  unwind_protect
-%!    folder = tempname (); mkdir (folder);
 %!    write_text (fullfile (folder, "sbatch"), sprintf ("#!/bin/sh\nexit %d\n", status));
 %!    system (["chmod +x " fullfile(folder, "sbatch")]);
 %!    setenv ("PATH", [folder ":" path]);
 %!    assert (nthargout (1:2, @of, "slurm", jobs), {"slurm", [jobs, Inf](1)});
 %!  unwind_protect_cleanup
-%!    setenv ("PATH", path); confirm_recursive_rmdir (false, "local"); rmdir (folder, "s");
+%!    setenv ("PATH", path);
 %!  end_unwind_protect
 %!endfunction
 %!test with_sbatch (0, []); with_sbatch (0, 3);

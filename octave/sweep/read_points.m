@@ -32,13 +32,9 @@ function [columns, values] = read_points (file)
 endfunction
 
 %!function [columns, values] = read (text)
-%!  file = tempname ();
-%!  unwind_protect
-%!    write_text (file, text);
-%!    [columns, values] = read_points (file);
-%!  unwind_protect_cleanup
-%!    unlink (file);
-%!  end_unwind_protect
+%!  [folder, gone] = scratch_folder (); file = fullfile (folder, "a");
+%!  write_text (file, text);
+%!  [columns, values] = read_points (file);
 %!endfunction
 %!test # as a spreadsheet writes it, too
 %! for text = {"a.b,c\n1,x\n2,0 4\n", [char([239 187 191]) "a.b,c\r\n1,x\r\n2,0 4\r\n\r\n"]}

@@ -22,21 +22,17 @@ endfunction
 
 %!function text = calls_of (varargin)
 %!  ## the calls in a file of these lines: function, line, name, arguments
-%!  root = tempname (); mkdir (root); confirm_recursive_rmdir (false, "local");
-%!  unwind_protect
-%!    mkdir (fullfile (root, "generated")); mkdir (fullfile (root, "octave"));
-%!    write_text (fullfile (root, "generated", "law.m"), "");
-%!    write_text (fullfile (root, "octave", "rod.m"), strjoin (varargin, "\n"));
-%!    for name = {"arc", "bar", "cog"}
-%!      write_text (fullfile (root, "octave", [name{1} ".m"]), "");
-%!    endfor
-%!    calls = call_graph (root);
-%!    lines = arrayfun (@(c) sprintf ("%s %s %s(%s)", c.within, c.line, c.name, strrep (c.arguments, "\v", "|")), ...
-%!                      calls, "UniformOutput", false);
-%!    text = strjoin (lines(:).', "; ");
-%!  unwind_protect_cleanup
-%!    rmdir (root, "s");
-%!  end_unwind_protect
+%!  [root, gone] = scratch_folder ();
+%!  mkdir (fullfile (root, "generated")); mkdir (fullfile (root, "octave"));
+%!  write_text (fullfile (root, "generated", "law.m"), "");
+%!  write_text (fullfile (root, "octave", "rod.m"), strjoin (varargin, "\n"));
+%!  for name = {"arc", "bar", "cog"}
+%!    write_text (fullfile (root, "octave", [name{1} ".m"]), "");
+%!  endfor
+%!  calls = call_graph (root);
+%!  lines = arrayfun (@(c) sprintf ("%s %s %s(%s)", c.within, c.line, c.name, strrep (c.arguments, "\v", "|")), ...
+%!                    calls, "UniformOutput", false);
+%!  text = strjoin (lines(:).', "; ");
 %!endfunction
 %!test # what is a call
 %! assert (calls_of ("function y = rod (x, z = bar (2))", "  y = law (x, [arc(1), 2])' + x.cog (3) + numbar (4);", ...

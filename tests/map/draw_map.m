@@ -94,11 +94,7 @@ function text = label (x, y, words, style)
 endfunction
 
 %!test
-%! folder = tempname (); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   said = evalc ("draw_map (folder)");
-%!   assert (said, [folder "/ has map.svg, map.png\n"]);
-%!   assert (! isempty (regexp (fileread (fullfile (folder, "map.svg")), 'write_text.*octave/messages', "once")));
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! said = evalc ("draw_map (folder)");
+%! assert (said, [folder "/ has map.svg, map.png\n"]);
+%! assert (! isempty (regexp (fileread (fullfile (folder, "map.svg")), 'write_text.*octave/messages', "once")));

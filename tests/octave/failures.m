@@ -41,14 +41,10 @@
 %! assert (driver (setfield (scene, "duration", 0.2), "output", "").summary.steps, 200);
 
 %!test # a failure reaches summary.json, and leaves the rest of the last good run
-%! folder = tempname (); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   solver = struct ("name", "rk4", "tolerance", 1e-6, "step", 0.02);
-%!   scene = setfield (setfield (paper (), "model", "modes", [0 1]), "solver", solver);
-%!   try, driver (scene, "output", folder); catch, end_try_catch
-%!   summary = jsondecode (fileread (fullfile (folder, "summary.json")));
-%!   message = summary.last_failure.message;
-%!   assert (! isempty (regexp (message, "^rk4 stopped at t = .* stable below 2.828; try steps below")));
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! solver = struct ("name", "rk4", "tolerance", 1e-6, "step", 0.02);
+%! scene = setfield (setfield (paper (), "model", "modes", [0 1]), "solver", solver);
+%! try, driver (scene, "output", folder); catch, end_try_catch
+%! summary = jsondecode (fileread (fullfile (folder, "summary.json")));
+%! message = summary.last_failure.message;
+%! assert (! isempty (regexp (message, "^rk4 stopped at t = .* stable below 2.828; try steps below")));

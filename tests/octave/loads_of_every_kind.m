@@ -75,24 +75,19 @@ endfunction
 %! said = refused ("mechanism", @(t) ones (1, 1 + (t > 5)));
 %! assert (! isempty (strfind (said, "joints(2).value gives [1 1] at t = 5:")));
 %!test # a load that is bad only between the times looked at: known in the run, and noted
-%! confirm_recursive_rmdir (false, "local");
 %! near = @(t, c) abs (t*c - round (t*c)) < 1e-6;
 %! good = @(t) near (t, 20010/20) | near (t, 4000/20) | near (t, 10);
 %! for kind = {"hinged", "moment"; "mechanism", "joints(2).value"; "surface", "moment"}.'
-%!   folder = tempname ();
-%!   unwind_protect
-%!     try
-%!       driver (loads_of_every_kind (kind{1}, @(t) 0./good (t)), "output", folder);
-%!       said = "";
-%!     catch err
-%!       said = strtrim (err.message);
-%!     end_try_catch
-%!     text = [kind{2} " gives a number that is not finite at t = "];
-%!     assert (strncmp (said, text, numel (text)));
-%!     assert (jsondecode (fileread (fullfile (folder, "summary.json"))).last_failure.message, said);
-%!   unwind_protect_cleanup
-%!     rmdir (folder, "s");
-%!   end_unwind_protect
+%!   [folder, gone] = scratch_folder ();
+%!   try
+%!     driver (loads_of_every_kind (kind{1}, @(t) 0./good (t)), "output", folder);
+%!     said = "";
+%!   catch err
+%!     said = strtrim (err.message);
+%!   end_try_catch
+%!   text = [kind{2} " gives a number that is not finite at t = "];
+%!   assert (strncmp (said, text, numel (text)));
+%!   assert (jsondecode (fileread (fullfile (folder, "summary.json"))).last_failure.message, said);
 %! endfor
 %!test # the paper's moment with and without its break: the same digits
 %! of = @(breaks) driver (setfield (paper (), "moment_breaks", breaks), "modes", [0 3], "output", "", "solver", ...

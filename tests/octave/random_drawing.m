@@ -46,19 +46,16 @@ function choice = pick (choices)
 endfunction
 
 %!function scripts_run (seed)
-%!  folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
 %!  flat = random_drawing (seed, {@sample_drawing, @sample_bodies}{1 + mod(seed, 2)}(2));
 %!  curved = random_drawing (seed, sample_surface (2));
 %!  figures = {"figure3.svg", "figure3.png", "figure3.pdf"};
 %!  for row = {@draw_frames, flat, frame_names(1:2, 2); @draw_figure3, flat, figures; ...
 %!             @draw_history, flat, {"history.svg"}; @draw_surface_frames, curved, frame_names(1:2, 2); ...
 %!             @draw_surface_figure, curved, figures}.'
+%!    [folder, gone] = scratch_folder ();
 %!    missing = draw_files (folder, {@(scratch) row{1}(row{2}, scratch)}, row{3});
 %!    assert (missing, cell (0, 2), sprintf ("seed %d, %s: %s", seed, func2str (row{1}), [missing.'{:}]));
-%!    rmdir (folder, "s");
-%!    mkdir (folder);
 %!  endfor
-%!  rmdir (folder, "s");
 %!endfunction
 
 %!test # gnuplot takes whatever comes

@@ -18,16 +18,11 @@ function found = rod_pixels (picture, place, direction)
 endfunction
 
 %!function use_run (use)   # of 26 frames, in a folder that is gone afterwards
-%!  folder = tempname ();
+%!  [folder, gone] = scratch_folder ();
 %!  scene = paper ();
 %!  scene.model.modes = [0 3]; scene.duration = 0.5; scene.solver = struct ("name", "auto", "tolerance", 1e-5);
-%!  unwind_protect
-%!    evalc ("result = driver (scene, 'output', folder);");
-%!    use (folder, result);
-%!  unwind_protect_cleanup
-%!    confirm_recursive_rmdir (false, "local");
-%!    rmdir (folder, "s");
-%!  end_unwind_protect
+%!  evalc ("result = driver (scene, 'output', folder);");
+%!  use (folder, result);
 %!endfunction
 
 %!function check_pixels (folder, result)

@@ -6,8 +6,7 @@
 ## @end deftypefn
 
 function with_stand_ins (stand_ins, call)
-  folder = tempname ();
-  mkdir (folder);
+  [folder, gone] = scratch_folder ();
   before = path ();
   shadowed = warning ("off", "Octave:shadowed-function");
   unwind_protect
@@ -20,8 +19,6 @@ function with_stand_ins (stand_ins, call)
   unwind_protect_cleanup
     path (before);
     warning (shadowed);
-    confirm_recursive_rmdir (false, "local");
-    rmdir (folder, "s");
   end_unwind_protect
 endfunction
 
@@ -29,11 +26,7 @@ endfunction
 %!  write_text (fullfile (folder, "gave"), rung_label (3));
 %!endfunction
 %!test # a stand-in, and then the function again, which takes no number
-%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
-%! unwind_protect
-%!   with_stand_ins ({"text = rung_label", "rung", "text = sprintf (\"<%d>\", rung);"}, @() call_it (folder));
-%!   assert (fileread (fullfile (folder, "gave")), "<3>");
-%!   fail ("call_it (folder)");
-%! unwind_protect_cleanup
-%!   rmdir (folder, "s");
-%! end_unwind_protect
+%! [folder, gone] = scratch_folder ();
+%! with_stand_ins ({"text = rung_label", "rung", "text = sprintf (\"<%d>\", rung);"}, @() call_it (folder));
+%! assert (fileread (fullfile (folder, "gave")), "<3>");
+%! fail ("call_it (folder)");

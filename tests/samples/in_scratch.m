@@ -5,15 +5,9 @@
 ## @end deftypefn
 
 function varargout = in_scratch (use)
-  folder = tempname ();
-  mkdir (folder);
+  [folder, gone] = scratch_folder ();
   mkdir (fullfile (folder, "scratch"));
-  unwind_protect
-    [varargout{1:nargout}] = use (folder, fullfile (folder, "scratch"));
-  unwind_protect_cleanup
-    confirm_recursive_rmdir (false, "local");
-    rmdir (folder, "s");
-  end_unwind_protect
+  [varargout{1:nargout}] = use (folder, fullfile (folder, "scratch"));
 endfunction
 
 %!test
