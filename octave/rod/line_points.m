@@ -26,12 +26,11 @@ function line = line_points (base, rod, section, tip_mass)
   [~, ~, angle] = undeformed_places (base, stations);
   line.angle = angle(:);
   kappa = curvature_at (setfield (rod, "length", base.length), stations)(:);
-  line.offset = section.rhoI/section.rhoA*kappa;
+  [line.offset, rotary_inertia] = rod_section_mass (kappa, section);
   line.offset(end) = 0;  # of the tip mass
   line.to_points = [integrals_to(line.axis, stations), zeros(numel (stations), 1)];
   lengths = [line.axis.weights, 0].';
-  line.points = struct ("point_mass", section.rhoA*lengths, "rotary_inertia", ...
-                        (section.rhoI - section.rhoA*line.offset.^2).*lengths, ...
+  line.points = struct ("point_mass", section.rhoA*lengths, "rotary_inertia", rotary_inertia.*lengths, ...
                         "axial_stiffness", section.EA*lengths, "bending_stiffness", section.EI*lengths);
   line.points.point_mass(end) = tip_mass;
 endfunction
