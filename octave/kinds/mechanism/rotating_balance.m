@@ -3,28 +3,22 @@
 ## The @var{balance} of a mechanism's forces (see @code{mechanism_at_rest}) in the frame that turns at the @var{speed}
 ## (rad/s) about the @var{centre} ([x y], m), at t = 0, when it has the directions of the fixed one: what is at rest
 ## there has the velocities of that rotation, and the forces are less the inertia of its accelerations.
-##
-## Of the coordinates x, y, phi of a body with rates in that frame: phi_dot + speed, x_dot - speed (y - y_0), y_dot +
-## speed (x - x_0), with accelerations -speed^2 (x - x_0) - 2 speed y_dot and -speed^2 (y - y_0) + 2 speed x_dot.
 ## @end deftypefn
 
 function balance = rotating_balance (balance, speed, centre)
   last = cellfun (@(body) body(end-2:end)(:), balance.bodies, "uniformoutput", false);
   last = [last{:}];  # phi, x, y, a column a body
-  frame = struct ("phi", last(1,:), "x", last(2,:), "y", last(3,:), "speed", speed, "centre", centre);
-  balance.residual = @(t, q, v, lambda) residual (balance.moving, frame, q, v, lambda);
+  frame = struct ("speed", speed, "centre_x", centre(1), "centre_y", centre(2));
+  balance.residual = @(t, q, v, lambda) residual (balance.moving, last, frame, q, v, lambda);
   balance = with_derivatives (balance, balance.steps);
 endfunction
 
-function r = residual (moving, frame, q, v, lambda)
-  across = q(frame.y,:) - frame.centre(2);
-  along = q(frame.x,:) - frame.centre(1);
+function r = residual (moving, last, frame, q, v, lambda)
+  [phi, x, y] = deal (last(1,:), last(2,:), last(3,:));
+  place = struct ("x", q(x,:), "y", q(y,:), "x_dot", v(x,:), "y_dot", v(y,:));
   a = 0*v;
-  a(frame.x,:) = -frame.speed^2*along - 2*frame.speed*v(frame.y,:);
-  a(frame.y,:) = -frame.speed^2*across + 2*frame.speed*v(frame.x,:);
-  v(frame.phi,:) += frame.speed;
-  v(frame.x,:) -= frame.speed*across;
-  v(frame.y,:) += frame.speed*along;
+  [v(x,:), v(y,:), a(x,:), a(y,:)] = rotating_place (place, frame);
+  v(phi,:) += frame.speed;
   [force, off] = moving (0, q, v, a, lambda);
   r = [force; off];
 endfunction
