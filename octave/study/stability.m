@@ -106,9 +106,13 @@ endfunction
 %!      " \"slope_deviation\", 1, \"amplitude\", 1e-3*h_omega^2 + 10*peaks);"]
 %!    "table = constrained_stability", "", ["table = struct (\"method\", \"acceleration\", \"what\", \"power\"," ...
 %!      " \"predicted\", 2, \"measured\", 2);"]};
-%!  [folder, gone] = scratch_folder ();
-%!  evalc ("with_stand_ins (stand_ins, @() stability (folder));");
-%!  csv = fileread (fullfile (folder, "stability.csv"));
+%!  folder = tempname (); confirm_recursive_rmdir (false, "local");
+%!  unwind_protect
+%!    evalc ("with_stand_ins (stand_ins, @() stability (folder));");
+%!    csv = fileread (fullfile (folder, "stability.csv"));
+%!  unwind_protect_cleanup
+%!    rmdir (folder, "s");
+%!  end_unwind_protect
 %!endfunction
 %!test # each prediction has its measurement beside it, and what is printed of limits is so
 %! rows = regexp (short_study (), '"([^"]*)","([^"]*)",([^,\n]*),([^,\n]*)', "tokens");

@@ -79,12 +79,16 @@ endfunction
 %!    "rows = cost_of_size", "kind, scene, sizes, limit", "rows = sizes(:)*[1 2 3];"
 %!    "seconds = call_times", "", "seconds = [1 70];"
 %!    "table = usable_methods", "table", ["table = table(ismember ({table.name}, " few "));"]};
-%!  [folder, gone] = scratch_folder ();
-%!  evalc ("with_stand_ins (stand_ins, @() work_precision (scene, 'output', folder, 'budget', 12));");
-%!  csv = fileread (fullfile (folder, "chart.csv"));
-%!  words = fileread (fullfile (folder, "chart.md"));
-%!  assert (csvread (fullfile (folder, "cost.csv"), 1, 0)(:,1:3), 2.^(1:6).'*[1 2 3]);
-%!  assert (stat (fullfile (folder, "chart.png")).size > 10000);
+%!  folder = tempname (); confirm_recursive_rmdir (false, "local");
+%!  unwind_protect
+%!    evalc ("with_stand_ins (stand_ins, @() work_precision (scene, 'output', folder, 'budget', 12));");
+%!    csv = fileread (fullfile (folder, "chart.csv"));
+%!    words = fileread (fullfile (folder, "chart.md"));
+%!    assert (csvread (fullfile (folder, "cost.csv"), 1, 0)(:,1:3), 2.^(1:6).'*[1 2 3]);
+%!    assert (stat (fullfile (folder, "chart.png")).size > 10000);
+%!  unwind_protect_cleanup
+%!    rmdir (folder, "s");
+%!  end_unwind_protect
 %!endfunction
 %!function values = of (csv, name, k)
 %!  lines = strsplit (strtrim (csv), "\n")(2:end);

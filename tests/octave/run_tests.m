@@ -31,4 +31,5 @@ for file = strsplit (strtrim (listing), "\n")
   endif
   unlink (log);
 endfor
+lsode (@(y, t) 0, 0, [0 1]);  # it keeps its last function, and all that this can see: scratch folders, too
 exit (failed > 0);

@@ -6,7 +6,8 @@
 ## @end deftypefn
 
 function with_stand_ins (stand_ins, call)
-  [folder, gone] = scratch_folder ();
+  folder = tempname ();
+  mkdir (folder);
   before = path ();
   shadowed = warning ("off", "Octave:shadowed-function");
   unwind_protect
@@ -19,6 +20,8 @@ function with_stand_ins (stand_ins, call)
   unwind_protect_cleanup
     path (before);
     warning (shadowed);
+    confirm_recursive_rmdir (false, "local");
+    rmdir (folder, "s");
   end_unwind_protect
 endfunction
 
@@ -26,7 +29,11 @@ endfunction
 %!  write_text (fullfile (folder, "gave"), rung_label (3));
 %!endfunction
 %!test # a stand-in, and then the function again, which takes no number
-%! [folder, gone] = scratch_folder ();
-%! with_stand_ins ({"text = rung_label", "rung", "text = sprintf (\"<%d>\", rung);"}, @() call_it (folder));
-%! assert (fileread (fullfile (folder, "gave")), "<3>");
-%! fail ("call_it (folder)");
+%! folder = tempname (); mkdir (folder); confirm_recursive_rmdir (false, "local");
+%! unwind_protect
+%!   with_stand_ins ({"text = rung_label", "rung", "text = sprintf (\"<%d>\", rung);"}, @() call_it (folder));
+%!   assert (fileread (fullfile (folder, "gave")), "<3>");
+%!   fail ("call_it (folder)");
+%! unwind_protect_cleanup
+%!   rmdir (folder, "s");
+%! end_unwind_protect
