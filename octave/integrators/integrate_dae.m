@@ -16,12 +16,8 @@ function [states, steps] = integrate_dae (code, system, times, start, solver)
   y_dot = [start.v; a; zeros(2*c, 1); system.work_rate(at, lambda); at.dissipated];
   residual = @(t, y, y_dot) equations (t, y, y_dot, system);
   scale = solver.tolerance/100*[system.q_scale; system.q_scale/(0.1*system.duration); 1e10*ones(2*c, 1); 1e3; 1e3];
-  warning_state = warning ("off", "all");
-  unwind_protect
-    reached = feval (["by_" code], residual, times, y, y_dot, scale, 2*n + (1:2*c));
-  unwind_protect_cleanup
-    warning (warning_state);
-  end_unwind_protect
+  by = struct ("daspk", @by_daspk, "ode15i", @by_ode15i).(code);
+  reached = quietly (@() by (residual, times, y, y_dot, scale, 2*n + (1:2*c)));
   states = first_states (system, times, start);
   for k = 1:numel (times)
     if (rows (reached) < k || ! all (isfinite (reached(k,:))))

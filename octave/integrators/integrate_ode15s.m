@@ -11,12 +11,10 @@ function [states, steps] = integrate_ode15s (system, times, y, solver)
   absolute = max (solver.tolerance*system.state_scale, realmin);
   options = odeset ("RelTol", max (solver.tolerance, 100*eps), "AbsTol", absolute, ...
                     "InitialSlope", system.rate (times(1), y), "MaxStep", times(end) - times(1));
-  warning_state = warning ("off", "all");
   cause = "its Newton iteration did not converge";
   try
-    [t, states] = told_errors (@(f) ode15s (@(t, u) f (t, u), requested, y, options), system.rate);
+    [t, states] = quietly (@() told_errors (@(f) ode15s (@(t, u) f (t, u), requested, y, options), system.rate));
   catch err
-    warning (warning_state);
     if (isempty (strfind (err.message, "IDA")))
       rethrow (err);
     endif
@@ -24,7 +22,6 @@ function [states, steps] = integrate_ode15s (system, times, y, solver)
     states = y.';
     cause = "IDA gave up, at its step limit or at its smallest step";
   end_try_catch
-  warning (warning_state);
   finite = all (isfinite (states), 2);
   if (t(end) < times(end) || ! all (finite))
     reached = max ([t(finite); times(1)]);

@@ -10,20 +10,15 @@ function [states, steps] = octave_ode (ode, system, rate, times, y, options, sta
   reached = [];
   requested = unique ([times, mean(times)]);  # with two times they keep every step, in arrays that they grow one by one
   before = system.calls ();
-  warning_state = warning ("off", "all");
-  unwind_protect
-    try
-      [t, states] = ode (rate, requested, y, options);
-    catch err
-      where = regexp (err.message, '^integrate_adaptive: .* t = (\S+) before', "tokens", "once");
-      if (isempty (where))
-        rethrow (err);
-      endif
-      reached = str2double (where{1});  # Octave 7 gives up after 5000 refused steps
-    end_try_catch
-  unwind_protect_cleanup
-    warning (warning_state);
-  end_unwind_protect
+  try
+    [t, states] = quietly (@() ode (rate, requested, y, options));
+  catch err
+    where = regexp (err.message, '^integrate_adaptive: .* t = (\S+) before', "tokens", "once");
+    if (isempty (where))
+      rethrow (err);
+    endif
+    reached = str2double (where{1});  # Octave 7 gives up after 5000 refused steps
+  end_try_catch
   steps = round ((system.calls () - before)/stages);
   if (isempty (reached))
     finite = all (isfinite (states), 2);

@@ -13,9 +13,8 @@ function step = radau_whole_step (system, rule, h, panels, at, x, residual)
   [mass, jacobian, spring_jacobian] = system.matrices (at);
   matrix = radau_matrix (rates, h, mass, system.tangent (at, x.lambda, x.sigma), ...
                          kron (speye (panels*s), system.damping_matrix), jacobian, spring_jacobian, at.springs);
-  warning_state = warning ("off", "all");
-  found = matrix \ vertcat (cellfun (@(r) r(:), residual, "uniformoutput", false){:});
-  warning (warning_state);
+  right_side = vertcat (cellfun (@(r) r(:), residual, "uniformoutput", false){:});
+  found = quietly (@() matrix \ right_side);
   step = mat2cell (found, cellfun (@numel, residual), 1);
 endfunction
 

@@ -16,12 +16,7 @@ function [x, lambda] = saddle_solve (system, t, mass, jacobian, f, g, compliance
   compliance = compliance.*ones (c, 1);
   ties = size_of_mass*jacobian;
   matrix = [mass, ties.'; ties, -size_of_mass^2*sparse(1:c, 1:c, compliance, c, c)];
-  warning_state = warning ("off", "all");
-  unwind_protect
-    solution = matrix \ [f; size_of_mass*g];
-  unwind_protect_cleanup
-    warning (warning_state);
-  end_unwind_protect
+  solution = quietly (@() matrix \ [f; size_of_mass*g]);
   x = solution(1:n);
   lambda = size_of_mass*solution(n+1:end);
   off = abs (jacobian*x - compliance.*lambda - g);
