@@ -7,13 +7,10 @@
 
 function write_path (found, folder)
   [names, places] = path_places (found.shape);
-  text = ["factor,square of the slowest [1/s^2],stable,event", sprintf(",%s [m]", names{:}), "\n"];
   whats = [{""}, {found.events.what}];
-  for k = 1:numel (found.factor)
-    text = [text, sprintf("%.17g,%.17g,%d,%s", found.factor(k), found.square(k), found.stable(k), ...
-                          whats{1 + found.event(k)}), sprintf(",%.17g", places(:,k)), "\n"];
-  endfor
-  write_text (fullfile (folder, "path.csv"), text);
+  heads = [{"factor", "square of the slowest [1/s^2]", "stable", "event"}, strcat(names, " [m]")];
+  cells = [num2cell([found.factor; found.square; found.stable]); whats(1 + found.event); num2cell(places)].';
+  write_csv (fullfile (folder, "path.csv"), heads, cells);
 endfunction
 
 %!test

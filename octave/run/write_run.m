@@ -70,7 +70,7 @@ endfunction
 
 function write_columns (kind, scene, run, file)
   [names, table] = kind.columns (scene, run);
-  write_history (names, table, file);
+  write_csv (file, names, table.');
 endfunction
 
 %!function check_files (folder, scratch)

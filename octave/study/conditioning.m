@@ -21,7 +21,8 @@ function table = conditioning (folder = "output", degrees = [1 30 90 180 300], s
       printf ("%8g %4d %12.3g %12.3g\n", found(end,:));
     endfor
   endfor
-  publish_run (folder, {"conditioning.csv"}, @(aside) write (found, aside));
+  heads = {"degrees", "N", "Tisserand's frame", "tangent's frame"};
+  publish_run (folder, {"conditioning.csv"}, @(aside) write_csv (fullfile (aside, "conditioning.csv"), heads, found));
   if (nargout > 0)
     table = found;
   endif
@@ -31,11 +32,6 @@ function c = condition (a)
   M = [a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia];
   scale = 1./sqrt (diag (M));
   c = cond (scale.*M.*scale.');
-endfunction
-
-function write (table, folder)
-  text = sprintf ("%.17g,%.17g,%.17g,%.17g\n", table.');
-  write_text (fullfile (folder, "conditioning.csv"), ["degrees,N,Tisserand's frame,tangent's frame\n" text]);
 endfunction
 
 %!error <cannot be made|can be written> conditioning ("/proc/nowhere")

@@ -6,15 +6,16 @@
 
 function write_along (along, folder)
   [names, units] = section_columns (along);
-  heads = cellfun (@(name, unit) sprintf (",%s [%s]", name, unit), names, units, "uniformoutput", false);
-  text = ["body,part of the length" heads{:} "\n"];
+  heads = cellfun (@(name, unit) sprintf ("%s [%s]", name, unit), names, units, "uniformoutput", false);
+  table = zeros (0, 2 + numel (names));
   for k = 1:numel (along)
-    table = cell2mat (cellfun (@(name) along{k}.(name), names, "uniformoutput", false));
-    part = linspace (0, 1, rows (table)).';
-    template = ["%d" repmat(",%.17g", 1, 1 + columns (table)) "\n"];
-    text = [text, sprintf(template, [repmat(k, rows (table), 1), part, table].')];
+    values = cell2mat (cellfun (@(name) along{k}.(name), names, "uniformoutput", false));
+    part = linspace (0, 1, rows (values)).';
+    table = [table; repmat(k, rows (values), 1), part, values];
   endfor
-  write_text (fullfile (folder, "along.csv"), strrep (text, ",NaN", ","));
+  cells = num2cell (table);
+  cells(isnan (table)) = {""};
+  write_csv (fullfile (folder, "along.csv"), [{"body", "part of the length"}, heads], cells);
 endfunction
 
 %!test

@@ -6,10 +6,9 @@
 
 function write_campbell (found, folder)
   count = rows (found.f);
-  head = ["speed [rad/s]", sprintf(",f_%d [Hz]", 1:count), sprintf(",growth_%d [1/s]", 1:count), ...
-          sprintf(",MAC_%d", 1:count), "\n"];
-  lines = sprintf (["%.17g" repmat(",%.17g", 1, 3*count) "\n"], [found.speeds; found.f; found.growth; found.mac]);
-  write_text (fullfile (folder, "campbell.csv"), [head, lines]);
+  numbered = @(template) arrayfun (@(k) sprintf (template, k), 1:count, "uniformoutput", false);
+  heads = [{"speed [rad/s]"}, numbered("f_%d [Hz]"), numbered("growth_%d [1/s]"), numbered("MAC_%d")];
+  write_csv (fullfile (folder, "campbell.csv"), heads, [found.speeds; found.f; found.growth; found.mac].');
 endfunction
 
 %!test

@@ -5,17 +5,15 @@
 ## @end deftypefn
 
 function write_chart (table, cost, title, words, folder)
-  lines = {["method,tolerance [m] or step [s],error [m],drift [m or rad],seconds [s],calls,part of the duration," ...
-            "failure"]};
-  for row = table
-    lines{end+1} = sprintf ("%s,%.17g,%.17g,%.17g,%.17g,%d,%.6g,\"%s\"", row.method, row.parameter, row.error_m, ...
-                            row.drift, row.seconds, row.calls, row.part, strrep (row.failure, "\"", "\"\""));
-  endfor
-  write_text (fullfile (folder, "chart.csv"), [strjoin(lines, "\n") "\n"]);
+  heads = {"method", "tolerance [m] or step [s]", "error [m]", "drift [m or rad]", "seconds [s]", "calls", ...
+           "part of the duration", "failure"};
+  part = cellfun (@(part) sprintf ("%.6g", part), {table.part}, "uniformoutput", false);
+  cells = [{table.method}; {table.parameter}; {table.error_m}; {table.drift}; {table.seconds}; {table.calls}; ...
+           part; {table.failure}].';
+  write_csv (fullfile (folder, "chart.csv"), heads, cells, 8);
   write_text (fullfile (folder, "chart.md"), sprintf ("# %s\n\n%s\n", title, words));
-  write_text (fullfile (folder, "cost.csv"), ...
-              ["modes of each sort,seconds per simulated second,calls per simulated second\n", ...
-               sprintf("%d,%.17g,%.17g\n", cost.')]);
+  write_csv (fullfile (folder, "cost.csv"), ...
+             {"modes of each sort", "seconds per simulated second", "calls per simulated second"}, cost);
 endfunction
 
 %!test # a whole run, a part of one and a failure

@@ -4,12 +4,10 @@
 ## @end deftypefn
 
 function write_ladder (table, folder)
-  lines = {"model,method,error [m],seconds [s],calls,chosen,part of the duration"};
-  for row = table
-    lines{end+1} = sprintf ("\"%s\",%s,%.17g,%.17g,%d,%d,%.6g", row.model, row.method, row.error_m, row.seconds, ...
-                            row.calls, row.chosen, row.part);
-  endfor
-  write_text (fullfile (folder, "models.csv"), [strjoin(lines, "\n") "\n"]);
+  heads = {"model", "method", "error [m]", "seconds [s]", "calls", "chosen", "part of the duration"};
+  part = cellfun (@(part) sprintf ("%.6g", part), {table.part}, "uniformoutput", false);
+  cells = [{table.model}; {table.method}; {table.error_m}; {table.seconds}; {table.calls}; {table.chosen}; part].';
+  write_csv (fullfile (folder, "models.csv"), heads, cells, 1);
 endfunction
 
 %!test

@@ -4,12 +4,10 @@
 ## @end deftypefn
 
 function write_modes (rows, names, folder)
-  text = ["mode,f [Hz],omega [rad/s],damping ratio,growth [1/s],change", sprintf(",share of %s", names{:}), "\n"];
-  for row = rows
-    text = [text, sprintf("%d", row.mode), sprintf(",%.17g", row.f, row.omega, row.damping, row.growth, row.change, ...
-                                                   row.share), "\n"];
-  endfor
-  write_text (fullfile (folder, "modes.csv"), text);
+  heads = [{"mode", "f [Hz]", "omega [rad/s]", "damping ratio", "growth [1/s]", "change"}, ...
+           strcat({"share of "}, names)];
+  table = [rows.mode; rows.f; rows.omega; rows.damping; rows.growth; rows.change; vertcat(rows.share).'].';
+  write_csv (fullfile (folder, "modes.csv"), heads, table);
 endfunction
 
 %!test

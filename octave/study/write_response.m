@@ -7,7 +7,7 @@
 function write_response (found, folder)
   [names, amplitude] = response_curves (found);
   phase = reshape (arg (found.response), [], numel (found.f));
-  head = ["f [Hz]", sprintf(",\"%s\",\"phase [rad]\"", names{:}), "\n"];
+  head = ["f [Hz]", sprintf(",\"%s\",\"phase [rad]\"", strrep (names, "\"", "\"\""){:}), "\n"];
   table = [found.f; reshape([amplitude; phase](reshape (1:2*rows (phase), [], 2).',:), [], numel (found.f))];
   write_text (fullfile (folder, "response.csv"), ...
               [head, sprintf(["%.17g" repmat(",%.17g", 1, rows (table) - 1) "\n"], table)]);
@@ -15,9 +15,9 @@ endfunction
 
 %!test
 %! [folder, gone] = scratch_folder ();
-%! found = struct ("f", [1 2], "response", cat (3, [1; 2i], [3; -4]), "inputs", {{"pull [N]"}}, ...
+%! found = struct ("f", [1 2], "response", cat (3, [1; 2i], [3; -4]), "inputs", {{"\"a\" [N]"}}, ...
 %!                 "outputs", {{"tip_x [m]", "tip_y [m]"}});
 %! write_response (found, folder);
 %! assert (strsplit (fileread (fullfile (folder, "response.csv")), "\n"){1}, ...
-%!         'f [Hz],"tip_x [m] by pull [N]","phase [rad]","tip_y [m] by pull [N]","phase [rad]"');
+%!         'f [Hz],"tip_x [m] by ""a"" [N]","phase [rad]","tip_y [m] by ""a"" [N]","phase [rad]"');
 %! assert (csvread (fullfile (folder, "response.csv"), 1, 0), [1 1 0 2 pi/2; 2 3 0 4 pi], 1e-12);

@@ -5,21 +5,18 @@
 ## @end deftypefn
 
 function write_statics (found, time, folder)
-  names = {"x", "y", "z"}(1:columns (found.shape{1}));
-  text = ["body,part of the length", sprintf(",%s [m]", names{:}), "\n"];
+  heads = {"body", "part of the length", "x [m]", "y [m]", "z [m]"}(1:2 + columns (found.shape{1}));
+  table = zeros (0, numel (heads));
   for k = 1:numel (found.shape)
     places = found.shape{k};
     part = linspace (0, 1, rows (places)).';
-    template = ["%d" repmat(",%.17g", 1, 1 + columns (places)) "\n"];
-    lines = sprintf (template, [repmat(k, rows (places), 1), part, places].');
-    text = [text, lines];
+    table = [table; repmat(k, rows (places), 1), part, places];
   endfor
-  write_text (fullfile (folder, "shape.csv"), text);
+  write_csv (fullfile (folder, "shape.csv"), heads, table);
   figures = {"time [s]", time; "stable", double(found.stable); "slowest vibration [rad/s]", found.slowest
              "growth [1/s]", max(found.vibrations.rate); "base functions of each sort", found.functions
              "relative change by doubling them", max(found.change)};
-  figures = [figures; found.supports].';
-  write_text (fullfile (folder, "statics.csv"), ["figure,value\n", sprintf("\"%s\",%.17g\n", figures{:})]);
+  write_csv (fullfile (folder, "statics.csv"), {"figure", "value"}, [figures; found.supports], 1);
 endfunction
 
 %!test

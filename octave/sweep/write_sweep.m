@@ -9,18 +9,16 @@
 function write_sweep (plan, found, state, folder)
   done = find (found.done);
   heads = [{"point"}, plan.columns, strcat({plan.items.text}, plan.units), {"key"}];
-  cells = [arrayfun(@(k) sprintf ("%d", k), done(:), "uniformoutput", false), ...
-           cellfun(@value_words, plan.values(done,:), "uniformoutput", false), ...
-           cellfun(@csv_cell, found.observed(done,:), "uniformoutput", false), plan.keys(done).'].';
-  template = [repmat("%s,", 1, numel (heads) - 1), "%s\n"];
-  write_text (fullfile (folder, "summary.csv"), [sprintf(template, heads{:}), sprintf(template, cells{:})]);
+  cells = [num2cell(done(:)), cellfun(@value_words, plan.values(done,:), "uniformoutput", false), ...
+           found.observed(done,:), plan.keys(done).'];
+  write_csv (fullfile (folder, "summary.csv"), heads, cells);
 
-  cells = found.sensitivity.';
+  cells = found.sensitivity;
   if (! isempty (cells))
-    cells(1,:) = cellfun (@csv_cell, cells(1,:), "uniformoutput", false);
-    text = ["observation,field,points,standardised coefficient,R^2,first order index,standard error of it\n", ...
-            sprintf("%s,%s,%d,%.6g,%.6g,%.6g,%.6g\n", cells{:})];
-    write_text (fullfile (folder, "sensitivity.csv"), text);
+    heads = {"observation", "field", "points", "standardised coefficient", "R^2", "first order index", ...
+             "standard error of it"};
+    cells(:,4:7) = cellfun (@(number) sprintf ("%.6g", number), cells(:,4:7), "uniformoutput", false);
+    write_csv (fullfile (folder, "sensitivity.csv"), heads, cells);
   endif
 
   failed = find (have_failed (found));
@@ -38,12 +36,6 @@ function write_sweep (plan, found, state, folder)
     summary.(name) = value;
   endfor
   write_summary (summary, fullfile (folder, "sweep.json"));
-endfunction
-
-function text = csv_cell (text)
-  if (any (ismember (text, ",\"\n")))
-    text = ["\"" strrep(text, "\"", "\"\"") "\""];
-  endif
 endfunction
 
 %!function [csv, json] = written (folder, sensitivity = cell (0, 7))
