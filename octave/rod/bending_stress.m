@@ -8,15 +8,8 @@
 function stress = bending_stress (rod, model, stations, V)
   stress = [];
   if (isempty (stress_unknown (rod)) && ! isempty (model.base.transversal))
-    stress = rod_bending_stress (bends_at (model.base, stations)*V, rod.width, rod.half_height, model.section.EI);
-  endif
-endfunction
-
-function bends = bends_at (base, stations)
-  if (isfield (base, "axis"))
-    bends = curved_functions (base, base.axis, stations).bend;
-  else
-    [~, bends] = functions_at (base, stations, 2);
+    [~, bends] = functions_at (model.base, stations, 2);
+    stress = rod_bending_stress (bends*V, rod.width, rod.half_height, model.section.EI);
   endif
 endfunction
 

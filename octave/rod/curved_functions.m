@@ -30,15 +30,9 @@ function [e, e_slope, chi, bend] = straight (base, xi)
     [e, e_slope, chi, bend] = strain_polynomials (numel (base.longitudinal), numel (base.transversal), xi, base.length);
     return;
   endif
-  [j1, xi1] = meshgrid (base.longitudinal, xi);
-  [j2, xi2] = meshgrid (base.transversal, xi);
-  none_1 = zeros (size (j1));
-  none_2 = zeros (size (j2));
-  l = base.length;
-  e = [rod_slope_longitudinal(j1, xi1, l), none_2];
-  e_slope = [rod_curvature_longitudinal(j1, xi1, l), none_2];
-  chi = [none_1, rod_slope_transversal(j2, xi2, l)];
-  bend = [none_1, rod_curvature_transversal(j2, xi2, l)];
+  straight_rod = struct ("longitudinal", base.longitudinal, "transversal", base.transversal, "length", base.length);
+  [e, chi] = functions_at (straight_rod, xi, 1);
+  [e_slope, bend] = functions_at (straight_rod, xi, 2);
 endfunction
 
 %!test # without curvature they are the straight rod's
