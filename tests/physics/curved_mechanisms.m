@@ -2,8 +2,8 @@
 ## @deftypefn {} {[@var{tip}, @var{alone}] =} curved_mechanisms (@var{count}, @var{level}, @var{tolerance}, @
 ##   @var{half_height})
 ## The semicircle of the scene arc_pendulum as so many equal arcs, bodies of a mechanism on a @var{level} of modes (see
-## @code{mechanism_rungs}), hung from one end and welded end to end: its @var{tip} (2-by-m, m) over 0.5 s, and that of
-## the hinged rod @var{alone} with many base functions.  @var{half_height} (m) is the section's.
+## @code{mechanism_rungs}) with a longitudinal one for every two beyond the first, hung from one end and welded end to
+## end: its @var{tip} (2-by-m, m) over 0.5 s, and that of the hinged rod @var{alone} with many base functions.  @var{half_height} (m) is the section's.
 ## @end deftypefn
 
 function [tip, alone] = curved_mechanisms (count, level, tolerance, half_height = 0.003)
@@ -29,7 +29,8 @@ function [tip, alone] = curved_mechanisms (count, level, tolerance, half_height 
   endfor
   scene.joints{1} = struct ("kind", "revolute", "bodies", 1, "stations", 0);
   scene = check_mechanism (scene);
-  mechanism = build_mechanism (scene, mechanism_rungs (scene, level*ones (1, count)));
+  each = ones (1, count);
+  mechanism = build_mechanism (scene, mechanism_rungs (scene, level*each, floor ((level - 1)/2)*each));
   last = run_model (mechanism_kind (), scene, mechanism).history.bodies(count);
   tip = [last.tip_x; last.tip_y];
 endfunction

@@ -1,14 +1,13 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{rungs} =} mechanism_rungs (@var{scene}, @var{levels}, @var{longitudinal})
 ## The rungs of a checked scene's bodies (a cell each): the modes that a body states, or, where they are "auto", those
-## of its @var{levels}: 0 is rigid, k has k bending modes; and so many @var{longitudinal} ones (see
-## @code{longitudinal_modes}).
+## of its @var{levels}: 0 is rigid, k has k bending modes; and so many @var{longitudinal} ones (default: none).
 ##
 ## Only "auto" takes corrections of the sines (see @code{base_functions}): at ends where a joint may bear a moment,
 ## and, beside longitudinal modes, elongations where a joint may bear a force or a tip_mass hangs.
 ## @end deftypefn
 
-function rungs = mechanism_rungs (scene, levels, longitudinal = longitudinal_modes (levels))
+function rungs = mechanism_rungs (scene, levels, longitudinal = 0*levels)
   rungs = {};
   for k = 1:numel (scene.bodies)
     if (ischar (scene.bodies(k).model.modes))
@@ -63,7 +62,7 @@ endfunction
 %!test # only chosen modes have corrections, at ends that bear moments
 %! [~, ~, scene] = sample_mechanism ([1 2]);
 %! scene.bodies(2).model.modes = "auto";
-%! rungs = mechanism_rungs (scene, [0 3 0]);
+%! rungs = mechanism_rungs (scene, [0 3 0], [0 1 0]);
 %! assert (rungs{1}.sines, [1 2]); assert (rungs{1}.elongations, []);
 %! assert (rungs{2}.sines, [1 3]); assert (rungs{2}.corrections, -1);
 %!test # a rod that pins and a load within it pull, and one that hangs at its O alone
