@@ -36,7 +36,7 @@ function summary = summarise (kind, name, scene, run, choice)
   summary.frames = numel (history.t);
   summary.largest_energy_error = max (energy_error (history));
   summary.warnings = [choice.warnings, error_warnings, run.warnings, ...
-                      energy_warning(summary.largest_energy_error, 1e-3), kind.warnings(scene, run)];
+                      energy_warning(summary.largest_energy_error), kind.warnings(scene, run)];
 endfunction
 
 %!test
