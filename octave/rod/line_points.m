@@ -1,13 +1,14 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{line} =} line_points (@var{base}, @var{rod}, @var{section}, @var{tip_mass})
 ## The geometrically exact rod at its points, those of Gauss on equal panels, as many as its polynomials and its
-## undeformed shape need, cut where its curvature jumps, and the tip: how its strains and the integrals of its tangent follow from polynomials of a @var{base} with its axis (see
-## @code{strain_polynomials} and @code{curved_base}).
+## undeformed shape need, cut where its curvature jumps, and the tip: how its strains and the integrals of its tangent
+## follow from polynomials of a @var{base} with its axis (see @code{strain_polynomials} and @code{curved_base}).
 ##
-## Fields, for p points and n amplitudes V, of which along are of stretching: stretch, turn and bend (p-by-n, 1/m, 1/m, 1/m^2; of V), angle (p-by-1, rad,
-## of the undeformed tangent in the rod's frame), offset (p-by-1, m, as @code{rod_exact_offset} takes it), to_points (p-by-p, m: of values at the points the integrals from O to
-## each), axis (as @code{integrals_to} takes it) and points (a struct of point_mass, rotary_inertia, axial_stiffness and
-## bending_stiffness, p-by-1, as @code{rod_exact_energies} takes them).
+## Fields, for p points and n amplitudes V: stretch, turn and bend (p-by-n, 1/m, 1/m, 1/m^2; of V), angle (p-by-1, rad,
+## of the undeformed tangent in the rod's frame), offset (p-by-1, m, as @code{rod_exact_offset} takes it), to_points
+## (p-by-p, m: of values at the points the integrals from O to each), axis (as @code{integrals_to} takes it) and points
+## (a struct of point_mass, rotary_inertia, axial_stiffness and bending_stiffness, p-by-1, as @code{rod_exact_energies}
+## takes them).
 ## @end deftypefn
 
 function line = line_points (base, rod, section, tip_mass)
@@ -19,7 +20,6 @@ function line = line_points (base, rod, section, tip_mass)
   until (follows (line.axis, base) || count > 128)
   stations = [line.axis.xi, base.length];
   f = curved_functions (base, base.axis, stations);
-  line.along = numel (base.longitudinal);
   line.stretch = f.e;
   line.turn = f.chi;
   line.bend = f.bend;
