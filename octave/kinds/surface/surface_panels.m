@@ -18,7 +18,7 @@ endfunction
 %!test # a reaction that is rounding is left out
 %! momentum = [0 0; 0 0; 1 2];
 %! history = struct ("tip", [1 2; 3 4; 0 0], "reaction", 1e-9*[1 2; 3 4], "angular_momentum", momentum, ...
-%!                   "T", [0 1], "U", [0 0], "Z", [1 0], "W", [0 0], "D", [0 0]);
+%!                   "T", [0 1], "U", [0 0], "Z", [1 0], "W", [0 0], "D", [0 0], "balance", [1 1]);
 %! scene.rod = struct ("EA", 1e6, "length", 1);
 %! assert ({surface_panels(scene, history).label}, {"tip", "energies", "energy balance", "angular momentum"});
 %! history.reaction *= 1e9;
