@@ -21,7 +21,7 @@ function [states, steps] = integrate_dae (code, system, times, start, solver)
   states = first_states (system, times, start);
   for k = 1:numel (times)
     if (rows (reached) < k || ! all (isfinite (reached(k,:))))
-      stop_integration (code, system, times(max (k - 1, 1)), system.duration, NaN, "it gave up", "a larger tolerance");
+      stop_integration (code, system, times(max (k - 1, 1)), NaN, "it gave up", "a larger tolerance");
     endif
     y = reached(k,:).';
     states = keep (states, k, struct ("q", y(1:n), "v", y(n+1:2*n), "lambda", y(2*n+1:2*n+c), ...

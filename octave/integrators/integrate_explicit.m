@@ -63,5 +63,5 @@ endfunction
 %! assert (log2 (error (0.1)/error (0.05)), 5, 0.3);
 %!error <ode45 stopped at t = 0.9\d* s of 2 s: its steps shrank to nothing>
 %! system = struct ("turned", false, "state_scale", 1, "mass", 1, "stiffness", 0, "rate", @(t, y) y^2, ...
-%!                  "calls", @() 0);
+%!                  "calls", @() 0, "duration", 2);
 %! integrate_explicit (@ode45, system, [0 0.9 0.99 2], 1, struct ("tolerance", 1e-6));

@@ -32,7 +32,7 @@ function [states, steps] = march (method, system, times, y, solver, h)
   needed = sum (ceil (diff (times)/h*(1 - 1e-9)));
   if (needed > 1e8)
     what = sprintf ("it would take %.2g steps, more than 1e8", needed);
-    stop_integration (name, system, times(1), times(end), h, what, "a longer step or a larger tolerance");
+    stop_integration (name, system, times(1), h, what, "a longer step or a larger tolerance");
   endif
   states = repmat (y, 1, numel (times));
   steps = 0;
@@ -48,13 +48,13 @@ function [states, steps] = march (method, system, times, y, solver, h)
     for i = 0:m-1
       [z, converged] = stepper.step (times(k-1) + i*length, z);
       if (! converged)
-        stop_integration (name, system, times(k-1) + i*length, times(end), length, ...
+        stop_integration (name, system, times(k-1) + i*length, length, ...
                           "its Newton iteration did not converge", "a shorter step");
       endif
     endfor
     y = stepper.state (z);
     if (! all (isfinite (y)))
-      stop_integration (name, system, times(k-1), times(end), length, "then its state is no number", "a shorter step");
+      stop_integration (name, system, times(k-1), length, "then its state is no number", "a shorter step");
     endif
     states(:,k) = y;
     steps += m;
@@ -76,7 +76,8 @@ endfunction
 %! assert (count.steps, 100);
 %! assert (count.calls, 400);
 %!error <rk4 stopped at t = 0 s of 1 s: it would take 1e\+09 steps, more than 1e8: .*; try steps below 0.028 s, a longer>
-%! integrate_fixed (@rk4, 4, struct ("mass", 1, "stiffness", 1e4), [0 1], [1; 0], struct ("name", "rk4", "step", 1e-9));
+%! system = struct ("mass", 1, "stiffness", 1e4, "duration", 1);
+%! integrate_fixed (@rk4, 4, system, [0 1], [1; 0], struct ("name", "rk4", "step", 1e-9));
 %!error <rk4 stopped at t = \d.* s of 20 s: then its state is no number: a step of 0.1 s .* is 10 where .* stable below 2.828>
-%! system = struct ("mass", 1, "stiffness", 1e4, "rate", @(t, y) [y(2); -1e4*y(1)]);
+%! system = struct ("mass", 1, "stiffness", 1e4, "duration", 20, "rate", @(t, y) [y(2); -1e4*y(1)]);
 %! integrate_fixed (@rk4, 4, system, 0:20, [1; 0], struct ("name", "rk4", "step", 0.1));

@@ -39,7 +39,7 @@ function [states, steps] = integrate_gauss (system, times, y, solver)
     do
       m = 2*pieces;
       if (m > 2^13)
-        stop_integration ("gauss", system, ends(1), times(end), frame/m, "its steps shrank to nothing", ...
+        stop_integration ("gauss", system, ends(1), frame/m, "its steps shrank to nothing", ...
                           sprintf ("a larger tolerance than %.2g m", solver.tolerance));
       endif
       wanted = [ends(2:end), step_times(ends, 2*m, method.nodes), times(inside)];

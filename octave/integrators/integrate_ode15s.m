@@ -25,7 +25,7 @@ function [states, steps] = integrate_ode15s (system, times, y, solver)
   finite = all (isfinite (states), 2);
   if (t(end) < times(end) || ! all (finite))
     reached = max ([t(finite); times(1)]);
-    stop_integration ("ode15s", system, reached, times(end), NaN, cause, ...
+    stop_integration ("ode15s", system, reached, NaN, cause, ...
                       sprintf ("a larger tolerance than %.2g m", solver.tolerance));
   endif
   states = states(ismember (requested, times),:).';
@@ -37,6 +37,6 @@ endfunction
 %! roots = -50 + [1 -1]*sqrt (2499);
 %! assert (states(1,3), (roots(1)*exp (2*roots(2)) - roots(2)*exp (2*roots(1)))/diff (-roots), 1e-5);
 %!testif HAVE_SUNDIALS
-%! system = struct ("mass", 1, "stiffness", 0, "state_scale", 1, "rate", @(t, y) y^2);
+%! system = struct ("mass", 1, "stiffness", 0, "state_scale", 1, "duration", 2, "rate", @(t, y) y^2);
 %! run = @() integrate_ode15s (system, [0 1 2], 1, struct ("tolerance", 1e-8));
 %! fail ("run ()", "ode15s stopped at t = 0 s of 2 s: I(DA gave|ts Newton)");

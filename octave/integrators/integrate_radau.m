@@ -63,7 +63,7 @@ function [states, steps] = integrate_radau (system, times, start, solver)
     if (plan.h < 1e-10*system.duration || refused > 30)
       [~, jacobian] = system.matrices (system.at (y.t, y.q, y.v));
       refuse_dependent (system, y.t, jacobian, 1e-4);
-      stop_integration ("radau", system, y.t, system.duration, plan.h, why, ...
+      stop_integration ("radau", system, y.t, plan.h, why, ...
                         "a larger tolerance, or a look at the mechanism there");
     endif
   endwhile

@@ -75,7 +75,7 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
       h *= min (growths(kept+1), 0.8);
     endif
     if (h < 1e-10*system.duration || refused > 30)
-      stop_integration ("radau", system, t, times(end), h, message, "a larger tolerance");
+      stop_integration ("radau", system, t, h, message, "a larger tolerance");
     endif
   endwhile
 endfunction

@@ -55,7 +55,7 @@ function [states, steps] = integrate_waveform (system, times, y, solver)
     endif
     [h, most_panels] = next_window (h, most_panels, panels, taken, window, ratios(end));
     if (! (h > 1e-12*last_time))  # or no number
-      stop_integration ("waveform", system, t, last_time, h, "its panels shrank to nothing", ...
+      stop_integration ("waveform", system, t, h, "its panels shrank to nothing", ...
                         sprintf ("a larger tolerance than %.2g m", solver.tolerance));
     endif
   endwhile

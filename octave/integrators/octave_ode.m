@@ -27,7 +27,7 @@ function [states, steps] = octave_ode (ode, system, rate, times, y, options, sta
     endif
   endif
   if (! isempty (reached))
-    stop_integration (func2str (ode), system, reached, times(end), (reached - times(1))/max (steps, 1), ...
+    stop_integration (func2str (ode), system, reached, (reached - times(1))/max (steps, 1), ...
                       "its steps shrank to nothing", sprintf ("a larger tolerance than %.2g m", tolerance));
   endif
   states = states(ismember (requested, times),:).';

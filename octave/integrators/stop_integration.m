@@ -1,18 +1,14 @@
 ## -*- texinfo -*-
-## @deftypefn {} {} stop_integration (@var{method}, @var{system}, @var{t}, @var{last_time}, @var{h}, @var{what}, @
-##   @var{remedy})
-## The error of an integration by @var{method} that cannot go on from the time @var{t} (s) of @var{last_time} (or
-## system.duration): @var{what} happened, with the step @var{h} (s, NaN: not known), the highest frequency of the
-## linear system and the method's limit of stability, if it has one (see @code{stability_limit}), and what to try.
+## @deftypefn {} {} stop_integration (@var{method}, @var{system}, @var{t}, @var{h}, @var{what}, @var{remedy})
+## The error of an integration by @var{method} that cannot go on from the time @var{t} (s) of system.duration:
+## @var{what} happened, with the step @var{h} (s, NaN: not known), the highest frequency of the linear system and the
+## method's limit of stability, if it has one (see @code{stability_limit}), and what to try.
 ## @end deftypefn
 
-function stop_integration (method, system, t, last_time, h, what, remedy)
-  if (isfield (system, "duration"))
-    last_time = system.duration;  # of the whole motion, not of the part to the next break
-  endif
+function stop_integration (method, system, t, h, what, remedy)
   omega = highest_frequency (system);
   limit = stability_limit (method);
-  text = sprintf ("%s stopped at t = %.6g s of %g s: %s: ", method, t, last_time, what);
+  text = sprintf ("%s stopped at t = %.6g s of %g s: %s: ", method, t, system.duration, what);
   if (isnan (h))
     text = sprintf ("%sthe highest frequency is %.4g rad/s", text, omega);
   else
@@ -26,4 +22,4 @@ function stop_integration (method, system, t, last_time, h, what, remedy)
 endfunction
 
 %!error <rk4 stopped at t = 0.5 s of 2 s: no number: a step of 0.1 s times the highest frequency, 100 rad/s, is 10 where the method is stable below 2.828; try steps below 0.028 s, rest,>
-%! stop_integration ("rk4", struct ("stiffness", 1e4, "mass", 1), 0.5, 2, 0.1, "no number", "rest");
+%! stop_integration ("rk4", struct ("stiffness", 1e4, "mass", 1, "duration", 2), 0.5, 0.1, "no number", "rest");

@@ -11,7 +11,7 @@ function watch_balance (history, system, count)
   first = find (! (off <= 0.05), 1);
   if (! isempty (first) && ! count.still)
     what = sprintf ("the energy balance is off by %.2g of what changes, more than 0.05", off(first));
-    stop_integration (count.method, system, history.t(first), history.t(end), history.t(end)/count.steps, what, ...
+    stop_integration (count.method, system, history.t(first), history.t(end)/count.steps, what, ...
                       "a smaller tolerance or step");
   endif
 endfunction
@@ -22,9 +22,9 @@ endfunction
 %!endfunction
 %!error <rk4 stopped at t = 2 s of 3 s: .* balance is off by 1 of what changes, more than 0.05: a step of>
 %! count = struct ("method", "rk4", "steps", 100, "still", false);
-%! watch_balance (of_balance ([1 2 5]), struct ("stiffness", 1, "mass", 1), count);
+%! watch_balance (of_balance ([1 2 5]), struct ("stiffness", 1, "mass", 1, "duration", 3), count);
 %!error <the energy balance is off by NaN>
 %! count = struct ("method", "rk4", "steps", 100, "still", false);
-%! watch_balance (of_balance ([1 NaN 5]), struct ("stiffness", 1, "mass", 1), count);
+%! watch_balance (of_balance ([1 NaN 5]), struct ("stiffness", 1, "mass", 1, "duration", 3), count);
 %!test # noise of a rod at rest
 %! watch_balance (of_balance ([1 2 5]), struct (), struct ("method", "rk4", "steps", 100, "still", true));
