@@ -14,4 +14,4 @@ endfunction
 
 %!test
 %! system = struct ("forms", {{"residual", "rate"}}, "auto", "radau");
-%! assert (method_of (system, "auto").form, "residual"); assert (method_of (system, "rk4").order, 4);
+%! assert (method_of (system, "auto").form, "residual"); assert (method_of (system, "rk4").form, "rate");
