@@ -3,31 +3,38 @@
 ## What the pictures of a @var{run} show (see @code{draw_pictures}): the drawing of its @var{kind} and the spectrum.
 ## The panels of @file{history.svg} are from some 2000 times of the run, panel_time, where the frames' samples miss
 ## what is between them: where a curve through every second frame is off from the others by more than a hundredth of
-## its range.  A run without states between its frames is integrated once more for that; where it would take too long,
-## a note says so.
+## its range.  A run without states between its frames is integrated once more for that, and for the spectrum, by the
+## scene's own method there and by "auto" here; where the curves would take too long, a note says so.
 ## @end deftypefn
 
 function drawing = run_drawing (kind, scene, run)
   drawing = kind.drawing (scene, run);
   if (numel (drawing.time) >= 5 && numel (drawing.time) < 2000 && ! are_smooth (drawing.panels, drawing.time))
-    try
-      run = with_states_between (kind, scene, run);
+    [run, failure] = with_states_between (kind, scene, run, run.solver);
+    if (isempty (failure))
       dense = between_frames (kind, scene, run);
       drawing.panels = kind.drawing (scene, dense).panels;
       drawing.panel_time = dense.history.t;
-    catch err
-      rethrow_others (err, "toolchain:integration");
+    else
       drawing.notes = [field_or(drawing, "notes", {}), ...
-                       {["the curves of history.svg miss what is between frames: " strtrim(err.message)]}];
-    end_try_catch
+                       {["the curves of history.svg miss what is between frames: " failure]}];
+    endif
   endif
+  run = with_states_between (kind, scene, run, setfield (scene.solver, "name", "auto"));
   drawing.spectrum = kind.spectrum (scene, run);
 endfunction
 
-function run = with_states_between (kind, scene, run)
-  if (! isfield (run, "between"))
-    run.between = run_model (kind, scene, run.model, setfield (run.solver, "seconds", 10), run, true).between;
+function [run, failure] = with_states_between (kind, scene, run, solver)
+  failure = "";
+  if (isfield (run, "between") || numel (run.history.t) < 2)
+    return;
   endif
+  try
+    run.between = run_model (kind, scene, run.model, setfield (solver, "seconds", 10), run, true).between;
+  catch err
+    rethrow_others (err, "toolchain:integration");
+    failure = strtrim (err.message);
+  end_try_catch
 endfunction
 
 function dense = between_frames (kind, scene, run)
@@ -78,4 +85,20 @@ endfunction
 %! slow = setfield (rod_kind (), "system", @(varargin) error ("toolchain:integration", "given up after 10 s\n"));
 %! slow.drawing = @(scene, run) rmfield (rod_drawing (scene, run.model, run.history), "notes");
 %! drawing = run_drawing (slow, scene, run);
+%! assert (drawing.spectrum, []);
 %! assert (drawing.notes{end}, "the curves of history.svg miss what is between frames: given up after 10 s");
+%!function spectrum = of_struck_rod (solver, duration)   # hinged, a mechanism, of one mode, whose curves look smooth
+%!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1e6, "EI", 100, "rhoA", 1), ...
+%!                         "initial", struct ("V2", 1e-3), "model", struct ("modes", [0 1]))};
+%!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
+%!  [scene.duration, scene.gravity, scene.solver] = deal (duration, 0, struct ("name", solver, "tolerance", 1e-4));
+%!  result = driver (scene, "output", "");
+%!  drawing = struct ("time", 1:5, "panels", new_panel ("smooth", "m", {"x"}, 1:5));
+%!  kind = setfield (mechanism_kind (), "drawing", @(scene, run) drawing);
+%!  spectrum = run_drawing (kind, result.scene, result).spectrum;
+%!endfunction
+%!test # a mechanism has a spectrum by whatever method
+%! spectrum = of_struck_rod ("projection", 0.5);
+%! [largest, k] = max (spectrum.values(2,:));
+%! assert (spectrum.frequency(k), sqrt (pi^4*100/(1 - 6/pi^2))/(2*pi), 2/0.5);
+%!assert (of_struck_rod ("radau", 0.01), [])  # one frame

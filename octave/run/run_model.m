@@ -11,8 +11,8 @@
 ## @item x, y, z
 ## the points that tell two motions apart (points-by-frames, m; z where they leave the plane; see @code{distance})
 ## @item between
-## the frames' times and some between them, t (1-by-m, s), and the states then, where they are to be @var{dense}, or
-## cost the method next to nothing
+## the frames' times and some between them, t (1-by-m, s), 4096 or more in all, and the states then, where they are to
+## be @var{dense}, or cost the method next to nothing, and there is more than one frame
 ## @end table
 ##
 ## A run @var{before} leads this one (see led_by of a kind). Where it is of the same model the energies are known: work
@@ -32,7 +32,8 @@ function run = run_model (kind, scene, model, solver = scene.solver, before = []
   endif
   for attempt = 1:4
     times = system.frames;
-    if (dense || method_of (system, solver.name).dense)
+    fine = numel (times) > 1 && (dense || method_of (system, solver.name).dense);
+    if (fine)
       times = finer_times (times, 4096);
     endif
     [states, count] = integrate (system, times, solver);
@@ -48,7 +49,7 @@ function run = run_model (kind, scene, model, solver = scene.solver, before = []
   run.model = model;
   run.solver = solver;
   run.end_state = states(:,end);
-  if (! all (at_frames))
+  if (fine)
     run.between = struct ("t", times, "states", states);
   endif
   run.count = count;

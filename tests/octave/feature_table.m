@@ -134,7 +134,7 @@ endfunction
 function text = rows_of_runs (scenes)
   for k = 1:4
     [kind, scene, model, system] = built (setfield (scenes{k}, "duration", 0.01));
-    run = run_model (kind, scene, model);
+    run = run_model (kind, scene, model, scene.solver, [], true);
     rungs = kind.rungs (scene, kind.stated (scene), kind.far_richer (scene, model));
     columns_of = regexprep (kind.columns (scene, run), '(_\d+)? \[.*', '');
     has(:,k) = [! isempty(kind.sized (scene, 8)) && numel(kind.reference) == 2
