@@ -25,13 +25,12 @@ function basis = rung_basis (rung, arrays, base, clamped, stiffness_of_joints = 
     endif
     return;
   endif
-  coupling = arrays.coupling_vector(i2);
-  phi_of_V = -coupling/arrays.moment_of_inertia;
+  phi_of_V = -arrays.coupling_vector(i2)/arrays.moment_of_inertia;
   if (clamped)
     phi_of_V = -arrays.slope_2(i2);
   endif
   P = [eye(numel (i2)); phi_of_V.'];
-  mass = [arrays.mass_matrix(i2,i2), coupling; coupling.', arrays.moment_of_inertia];
+  mass = mass_with_rotation (arrays)([i2, N + 1],[i2, N + 1]);
   longitudinal = 0;
   if (strcmp (rung.axial, "dynamic"))
     longitudinal = rung.longitudinal;

@@ -29,7 +29,7 @@ function table = conditioning (folder = "output", degrees = [1 30 90 180 300], s
 endfunction
 
 function c = condition (a)
-  M = [a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia];
+  M = mass_with_rotation (a);
   scale = 1./sqrt (diag (M));
   c = cond (scale.*M.*scale.');
 endfunction

@@ -7,7 +7,7 @@ function omega = linear_frequencies (scene)
   scene = check_scene (scene);
   model = build_model (scene, rung_of_scene (scene));
   a = model.arrays;
-  mass = [a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia];
+  mass = mass_with_rotation (a);
   stiffness = blkdiag (a.stiffness_matrix, 0);
   omega = sort (sqrt (abs (eig (stiffness, mass))))(2:end);
 endfunction

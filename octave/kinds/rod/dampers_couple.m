@@ -35,7 +35,7 @@ function ratio = coupling (scene)
     phi = scene.rotation (0)(1);
   endif
   [stiffness, damping] = linear_rod (phi, c);
-  [X, squares] = free_modes (stiffness, [a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia]);
+  [X, squares] = free_modes (stiffness, mass_with_rotation (a));
   between = X.'*damping*X;
   between -= diag (diag (between));
   ratio = norm (between)/sqrt (max (squares));

@@ -22,7 +22,7 @@ function system = hinged_rod (scene, model)
     refuse_momenta (scene.solver.name);
   endif
   a = model.arrays;
-  system.mass = [a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia];
+  system.mass = mass_with_rotation (a);
   [system.stiffness, damping] = linear_rod (scene.initial.phi, constants);
   if (any (damping(:)))
     system.damping_matrix = damping;

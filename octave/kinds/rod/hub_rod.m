@@ -13,7 +13,7 @@ function system = hub_rod (scene, model)
   constants.rod.slope_2 = a.slope_2;
 
   P = [eye(n); -a.slope_2.'];
-  system.mass = P.'*[a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia]*P;
+  system.mass = P.'*mass_with_rotation (a)*P;
   [stiffness, damping] = linear_rod (scene.rotation (0)(1), constants);
   system.stiffness = P.'*stiffness*P;
   damping = P.'*damping*P;

@@ -20,7 +20,7 @@ function [response, phi_dot] = linear_response (scene, model, rigid)
     phi_of_q = prescribed = -a.slope_2;
   endif
   P = [eye(n); phi_of_q.'];
-  mass = diag (P.'*[a.mass_matrix, a.coupling_vector; a.coupling_vector.', a.moment_of_inertia]*P);
+  mass = diag (P.'*mass_with_rotation (a)*P);
   omega = sqrt (diag (a.stiffness_matrix)./mass);
 
   none = zeros (n, 1);
