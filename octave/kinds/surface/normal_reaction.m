@@ -1,9 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{reaction} =} normal_reaction (@var{system}, @var{t}, @var{z}, @var{z_dot})
 ## What the surface does to the rod of @code{surface_rod}: force per length along the normal (N/m, positive where it
-## pushes to the normal's side) at the quadrature's points (p-by-m, at the m
-## times @var{t} and states).  Derivatives along the rod are those
-## of the polynomials through these points' values.
+## pushes to the normal's side) at the quadrature's points (p-by-m, at the m times @var{t} and states).
+## Derivatives along the rod are those of the polynomials through these points' values (see @code{slopes_of_points}).
 ## @end deftypefn
 
 function reaction = normal_reaction (system, t, z, z_dot)
@@ -13,10 +12,7 @@ function reaction = normal_reaction (system, t, z, z_dot)
     [damped{1:3}] = system.surface.damped_reaction (fields, system.rod);
     parts = cellfun (@plus, parts, damped, "uniformoutput", false);
   endif
-  p = rows (parts{1});
-  degree = p - 4;  # a little below interpolation, against rounding
-  [values, slopes] = legendre_functions (degree, system.points, sum (system.weights));
-  derivative = slopes*((values.'.*system.weights.'*values) \ (values.'.*system.weights.'));
+  derivative = slopes_of_points (system, system.points);
   reaction = parts{1} - derivative*(parts{2} - derivative*parts{3});
 endfunction
 

@@ -6,7 +6,7 @@
 ## torque. What lies beyond the section does this to what lies before it.
 ##
 ## Q balances the moments about the normal: Q stretch = -M_1 - moment_coupling, M_1 the slope of the polynomial through
-## the quadrature's points (see @code{normal_reaction}).
+## the quadrature's points (see @code{slopes_of_points}).
 ## @end deftypefn
 
 function along = surface_section (system, z, stations)
@@ -15,11 +15,7 @@ function along = surface_section (system, z, stations)
   [along.N, along.M, along.M_normal, along.torque, moment_coupling, stretch] = system.surface.section (
     at (stations), system.rod);
   [~, inside] = system.surface.section (at (system.points), system.rod);
-  degree = rows (inside) - 4;  # a little below interpolation, against rounding
-  values = legendre_functions (degree, system.points, system.rod.length);
-  [~, slopes] = legendre_functions (degree, stations, system.rod.length);
-  slope = slopes*((values.'.*system.weights.'*values) \ (values.'*(system.weights.*inside)));
-  along.Q = -(slope + moment_coupling)./stretch;
+  along.Q = -(slopes_of_points (system, stations)*inside + moment_coupling)./stretch;
 endfunction
 
 %!test # an elastica: what its end carries, turned into each section
