@@ -8,10 +8,7 @@
 function [states, steps] = integrate_constrained_steps (method, system, times, start, solver)
   ode = state_space (system);
   [reached, steps] = integrate_fixed (method, 2, ode, times, ode.pack (start), solver);
-  states = first_states (system, times, start);
-  for k = 1:numel (times)
-    states = keep (states, k, ode.unpack (times(k), reached(:,k)));
-  endfor
+  states = ode.unpack (times, reached);
 endfunction
 
 %!test # order 2 of both methods

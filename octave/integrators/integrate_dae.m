@@ -18,15 +18,11 @@ function [states, steps] = integrate_dae (code, system, times, start, solver)
   scale = solver.tolerance/100*[system.q_scale; system.q_scale/(0.1*system.duration); 1e10*ones(2*c, 1); 1e3; 1e3];
   by = struct ("daspk", @by_daspk, "ode15i", @by_ode15i).(code);
   reached = quietly (@() by (residual, times, y, y_dot, scale, 2*n + (1:2*c)));
-  states = first_states (system, times, start);
-  for k = 1:numel (times)
-    if (rows (reached) < k || ! all (isfinite (reached(k,:))))
-      stop_integration (code, system, times(max (k - 1, 1)), NaN, "it gave up", "a larger tolerance");
-    endif
-    y = reached(k,:).';
-    states = keep (states, k, struct ("q", y(1:n), "v", y(n+1:2*n), "lambda", y(2*n+1:2*n+c), ...
-                                      "W", y(end-1), "D", y(end)));
-  endfor
+  lost = find ([any(! isfinite (reached), 2); true], 1);
+  if (lost <= numel (times))
+    stop_integration (code, system, times(max (lost - 1, 1)), NaN, "it gave up", "a larger tolerance");
+  endif
+  states = named_rows (system, reached(:,[1:2*n+c, end-1, end]).');
 endfunction
 
 function r = equations (t, y, y_dot, system)

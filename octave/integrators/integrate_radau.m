@@ -13,11 +13,10 @@
 
 function [states, steps] = integrate_radau (system, times, start, solver)
   persistent rule = radau_rule (5);
-  states = first_states (system, times, start);
   y = setfield (start, "t", times(1));
   [y.a, y.lambda, at] = constrained_accelerations (system, y.t, y.q, y.v);
   y.sigma = at.springs.tension;
-  states.lambda(:,1) = y.lambda;
+  states = repmat (stacked_rows (y), 1, numel (times));
   plan = struct ("h", 1e-3*system.duration, "reach", Inf, "whole", 0, "patience", 4);
   plan.most = max (1, min (160, floor (14e3/system.n^2)));
   plan.panels = min (4, plan.most);
@@ -46,7 +45,7 @@ function [states, steps] = integrate_radau (system, times, start, solver)
       endif
       inside = times > before.t & times <= y.t;
       if (any (inside))
-        states = keep (states, inside, radau_frames (rule, window, before, h, times(inside)));
+        states(:,inside) = stacked_rows (radau_frames (rule, window, before, h, times(inside)));
       endif
       guess = alone = @(t) radau_guess (system, rule, window, y, h, kept, t);
       if (isfield (system, "led") && plan.panels > 1)
@@ -67,6 +66,7 @@ function [states, steps] = integrate_radau (system, times, start, solver)
                         "a larger tolerance, or a look at the mechanism there");
     endif
   endwhile
+  states = named_rows (system, states);
   met = are_frames (system, times);
   [states.q(:,met), states.v(:,met)] = onto_constraints (system, times(met), states.q(:,met), states.v(:,met));
 endfunction

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{start}, @var{warnings}] =} assemble_mechanism (@var{scene}, @var{mechanism}, @var{system})
-## The first state, a struct of q, v, W, D: what the scene states, brought onto the constraints by projection, of
-## positions in the metric of mass and stiffness (rods are moved, not bent), of velocities in the mass metric;
-## @var{warnings} (cellstr) say what that changed, and which bodies hang on nothing.
+## The first state, a struct of q, v, lambda (0: not known), W, D: what the scene states, brought onto the constraints
+## by projection, of positions in the metric of mass and stiffness (rods are moved, not bent), of velocities in the
+## mass metric; @var{warnings} (cellstr) say what that changed, and which bodies hang on nothing.
 ##
 ## A mechanism that cannot be assembled is an error that names the joints that stay apart, one whose constraints depend
 ## on each other one that names these; a spring without a direction is one, too.
@@ -19,7 +19,7 @@ function [start, warnings] = assemble_mechanism (scene, mechanism, system)
   refuse_dependent (system, 0, jacobian);
   refuse_coincident (scene.joints, mechanism, at.markers);
   v = project_velocities (system, 0, q, given_v);
-  start = struct ("q", q, "v", v, "W", 0, "D", 0);
+  start = struct ("q", q, "v", v, "lambda", zeros (system.constraint_count, 1), "W", 0, "D", 0);
   warnings = [what_moved(q - given_q, v - given_v, mechanism, scene), loose_bodies(scene), locked(scene, system)];
 endfunction
 

@@ -12,7 +12,6 @@ function system = assembled_system (scene, mechanism)
     start.q = equilibrium (mechanism_at_rest (scene, mechanism), 0);
     start.v = project_velocities (system, 0, start.q, 0*start.v);
   endif
-  start.lambda = zeros (system.constraint_count, 1);
   system.initial_state = stacked_rows (start);
   system.state_scale = system.q_scale;
   system.energy_rows = [];

@@ -9,5 +9,5 @@ endfunction
 
 %!test
 %! [system, start, scene] = sample_mechanism ([0 1]);
-%! run = struct ("model", system.mechanism, "history", measure_mechanism (system, 0, first_states (system, 0, start)));
+%! run = struct ("model", system.mechanism, "history", measure_mechanism (system, 0, start));
 %! assert ([limits_of_body(scene, run, 2)(1:2).limit], [0.3 0.01]);

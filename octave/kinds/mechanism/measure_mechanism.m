@@ -37,8 +37,7 @@ endfunction
 
 %!test
 %! [system, start] = sample_mechanism ([0 1]);
-%! states = first_states (system, [0 1], start); states.q(:,2) = start.q; states.v(:,2) = start.v;
-%! history = measure_mechanism (system, [0 1], states);
+%! history = measure_mechanism (system, [0 1], named_rows (system, stacked_rows (start)*[1 1]));
 %! assert (history.balance(1), history.balance(2), 1e-12);
 %! assert (history.bodies(1).tip_x, [0.5 0.5], 0.01);
 %!test # a rod that flies: kinetic energy, energy of gravity from the height, and a spring's
@@ -49,7 +48,7 @@ endfunction
 %! scene.gravity = 10;
 %! scene = check_mechanism (scene);
 %! system = mechanism_system (scene, build_mechanism (scene, mechanism_rungs (scene, 0)));
-%! start = struct ("q", [0; 0; 5], "v", [0; 2; 0], "W", 0.5, "D", 0.25);
-%! history = measure_mechanism (system, 0, first_states (system, 0, start));
+%! start = struct ("q", [0; 0; 5], "v", [0; 2; 0], "lambda", zeros (0, 1), "W", 0.5, "D", 0.25);
+%! history = measure_mechanism (system, 0, start);
 %! assert ([history.T, history.U, history.Z, history.W, history.D], [6*2^2/2, 4*1/2, 6*10*5, 0.5, 0.25], 1e-12);
 %! assert (history.balance, 12 + 2 + 300 + 0.25 - 0.5, 1e-12);

@@ -47,7 +47,7 @@ endfunction
 
 %!test
 %! [system, start, scene] = sample_mechanism ([0 1]);
-%! run = struct ("model", system.mechanism, "history", measure_mechanism (system, 0, first_states (system, 0, start)));
+%! run = struct ("model", system.mechanism, "history", measure_mechanism (system, 0, start));
 %! [names, table] = mechanism_columns (scene, run);
 %! assert (names(1:4), {"t [s]", "x_1 [m]", "y_1 [m]", "phi_1 [rad]"});
 %! assert (size (table), [numel(names), 1]);

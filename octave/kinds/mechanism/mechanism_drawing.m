@@ -38,14 +38,14 @@ endfunction
 
 %!test
 %! [system, start, scene] = sample_mechanism ([0 1]);
-%! history = measure_mechanism (system, 0, first_states (system, 0, start));
+%! history = measure_mechanism (system, 0, start);
 %! drawing = mechanism_drawing (scene, system.mechanism, history);
 %! assert (numel (drawing.bodies), 3); assert (! isempty (drawing.bodies(1).x));
 %! assert (drawing.hinges.ground, [true; false; false]);
 %! assert (drawing.equations, {"mechanism", "straight"});
 %!test # bodies of no height are drawn a hundredth of their length thick; curved ones have their equations
 %! [system, start, scene] = sample_mechanism ([0 1]);
-%! history = measure_mechanism (system, 0, first_states (system, 0, start));
+%! history = measure_mechanism (system, 0, start);
 %! drawing = mechanism_drawing (scene, system.mechanism, history);
 %! assert ([drawing.bodies.half_height], [1 1 1]*scene.bodies(1).rod.length/100, 1e-15);
 %! assert (drawing.moment, 0); assert (drawing.hinges.shape, {"pin"; "pin"; "block"});

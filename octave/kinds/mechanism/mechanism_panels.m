@@ -47,6 +47,6 @@ endfunction
 
 %!test
 %! [system, start, scene] = sample_mechanism ([0 1]);
-%! history = measure_mechanism (system, 0, first_states (system, 0, start));
+%! history = measure_mechanism (system, 0, start);
 %! panels = mechanism_panels (scene, system.mechanism, history, {"angles", "reactions"});
 %! assert (size (panels(1).values), [3 1]); assert (panels(2).names, {"joint 1", "joint 2", "joint 3"});

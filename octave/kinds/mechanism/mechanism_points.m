@@ -16,7 +16,7 @@ endfunction
 
 %!test # two rods, end to end
 %! [system, start] = sample_mechanism ([0 1]);
-%! history = measure_mechanism (system, 0, first_states (system, 0, start));
+%! history = measure_mechanism (system, 0, start);
 %! points = mechanism_points (system.mechanism, history);
 %! assert (size (points.x), [33 1]);
 %! assert ([points.x(11), points.y(11)], [points.x(12), points.y(12)], 1e-10);
