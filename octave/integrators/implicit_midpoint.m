@@ -5,7 +5,7 @@
 ## @end deftypefn
 
 function stepper = implicit_midpoint (system, h, solver)
-  momenta = momenta_for ("implicit_midpoint", system);
+  momenta = system.momenta;
   inverse = inv (eye (rows (momenta.linear)) - h/2*momenta.linear);
   stepper = struct ("form", momenta.form, "state", momenta.state, ...
                     "step", @(t, z) step (t, z, h, momenta.rate, inverse));

@@ -7,9 +7,9 @@
 ##
 ## A system has initial_state (its coordinates first), duration (s), breaks (times in s at which its loads jump),
 ## state_scale (what each state may be off by where a point is off by 1 m), mass and stiffness (of its coordinates,
-## linear about the start: for what is said of its frequencies), the forms of equations (a cellstr), auto (the method
-## of a solver "auto") and for each form its functions: for "rate" the function rate (t, y), a column a
-## state.
+## linear about the start: for what is said of its frequencies), the forms of equations (a cellstr), refusal (what to
+## say of other methods of its kind, where there are some), auto (the method of a solver "auto") and for each form its
+## functions: for "rate" the function rate (t, y), a column a state.
 ##
 ## Every interval between two breaks is integrated for itself, so that no step runs across a break; loads are taken
 ## from inside it, since they jump at its ends. @var{count}: method, steps, calls (of the system's functions, a column

@@ -65,7 +65,10 @@ endfunction
 %!test # no form has a name twice, and a scene's field takes just these
 %! table = integrator_table ();
 %! assert (numel (unique (strcat ({table.form}, {table.name}))), numel (table));
-%! for kind = {scene_fields(), mechanism_fields(), surface_scene_fields(); rod_forms(), {"constrained"}, {"rate", "residual"}}
+%! kinds = {scene_fields(), {"rate", "oscillators", "momenta", "accelerations"}
+%!          mechanism_fields(), {"constrained"}
+%!          surface_scene_fields(), {"rate", "residual"}};
+%! for kind = kinds.'
 %!   takes = kind{1}{strcmp(kind{1}(:,1), "solver.name"),3};
 %!   names = [{"auto"}, {integrator_table(kind{2}).name}];
 %!   assert (regexp (takes, '"(\w+)"', "tokens"), num2cell (names));

@@ -7,7 +7,7 @@
 ## @end deftypefn
 
 function stepper = stormer_verlet (system, h, solver)
-  momenta = momenta_for ("stormer_verlet", system);
+  momenta = system.momenta;
   n = rows (system.mass);
   stepper = struct ("form", momenta.form, "state", momenta.state, "step", @(t, z) step (t, z, h, n, momenta.rate));
 endfunction

@@ -7,7 +7,7 @@
 ## @end deftypefn
 
 function stepper = trigonometric (system, h, solver)
-  momenta = momenta_for ("trigonometric", system);
+  momenta = system.momenta;
   flow = expm (h*momenta.linear);
   rest = @(t, z) momenta.rate (t, z) - momenta.linear*z;
   stepper = struct ("form", momenta.form, "state", momenta.state, "step", @(t, z) step (t, z, h, rest, flow));

@@ -60,7 +60,6 @@ endfunction
 function names = explicit_methods (system)
   table = integrator_table (system.forms);
   limited = isfinite (cellfun (@stability_limit, {table.name}));
-  limited &= ! strcmp ({table.form}, "momenta") | isfield (system, "momenta");  # a hub has none
   names = {table(limited).name};
 endfunction
 

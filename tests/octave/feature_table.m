@@ -110,8 +110,8 @@ function text = rows_of_forms (scenes)
         cells{k} = "yes";
       endif
     endfor
-    if (strcmp (form{1}, "momenta") && ! isfield (in_hub, "momenta"))
-      cells{1} = [cells{1} ", not in a hub"];
+    if (strcmp (cells{1}, "yes") && ! ismember (form{1}, in_hub.forms))
+      cells{1} = "yes, not in a hub";
     endif
     text = [text, table_row(["`" strjoin(names, "`, `") "`"], cells)];
   endfor

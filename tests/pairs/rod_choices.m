@@ -74,7 +74,7 @@ function [base, choices] = rod_choices ()
     "pixels", "tolerance", {"solver.tolerance", "pixel", "zoom", 100}
     "solver", "auto", {}
   };
-  for name = {integrator_table(rod_forms ()).name}
+  for name = {integrator_table(free_rod ([0 0], struct ()).forms).name}
     choices(end+1,:) = {"solver", name{1}, {"solver.name", name{1}}};
   endfor
   choices(end+1,:) = {"solver", "a step by the tolerance", {"solver.name", "implicit_midpoint", "solver.step", []}};

@@ -10,7 +10,7 @@
 %! [scene, model] = sample_rod ([0 1], "duration", 0.035, "moment", @(t) 3000*t.*(t < 0.03), "moment_breaks", 0.03);
 %! system = hinged_rod (scene, model);
 %! reference = integrate (system, [0 0.02 0.035], struct ("name", "waveform", "tolerance", 1e-13));
-%! for method = integrator_table (rod_forms ())
+%! for method = integrator_table (system.forms)
 %!   if (! method.adaptive)
 %!     error_with = @(step) error_at (system, method.name, step, reference);
 %!     order = log2 (error_with (1e-4)/error_with (5e-5));

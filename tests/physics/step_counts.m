@@ -5,7 +5,7 @@
 ## generalized_alpha, trigonometric, integrate_radau, radau_window, radau_step, radau_factors, radau_guess,
 ## radau_frames, radau_plan, radau_whole_step, radau_rule, radau_matrix, radau_solve, integrate_gauss, collocation,
 ## collocation_stages, integrate_radau_residual, between_breaks, highest_frequency, stability_limit,
-## integrator_table, integrate, momenta_of_rod, momenta_for, accelerations_of_rod, hinged_rod, alpha_coefficients,
+## integrator_table, integrate, momenta_of_rod, accelerations_of_rod, hinged_rod, alpha_coefficients,
 ## oscillator_roots, oscillator_functions, exponential_step, phi_functions, stumpff, surface_rod, quasi_stationary
 ## and stays.
 

@@ -18,9 +18,6 @@
 function system = hinged_rod (scene, model)
   n = columns (model.basis);
   constants = rod_constants (scene, model);
-  if (constants.pulls_followers)
-    refuse_momenta (scene.solver.name);
-  endif
   a = model.arrays;
   system.mass = mass_with_rotation (a);
   [system.stiffness, damping] = linear_rod (scene.initial.phi, constants);
@@ -37,7 +34,13 @@ function system = hinged_rod (scene, model)
   system.momenta = momenta_of_rod (n, constants, system.mass, system.stiffness);
   system.accelerations = accelerations_of_rod (n, constants);
   system.turned = isempty (model.rung.sines);
-  system.forms = rod_forms ();
+  system.forms = {"rate", "oscillators"};
+  if (constants.pulls_followers)  # the other forms are made of the state without the time
+    system.refusal = ["with longitudinal modes without inertia a force changes the momentum of phi at once; take" ...
+                      " waveform, or model.axial = \"dynamic\""];
+  else
+    system.forms = [system.forms, {"momenta", "accelerations"}];
+  endif
   system.auto = "waveform";
   system.warnings = {};
   system.duration = scene.duration;
@@ -48,14 +51,6 @@ function system = hinged_rod (scene, model)
   system.breaks = scene.moment_breaks;
   system.energy_rows = numel (system.initial_state) + [-1, 0];
   system.state_scale = state_scale (model, scene, [ones(n, 1); 1/model.length]);
-endfunction
-
-## methods on other forms of the state, which are made of it without the time
-function refuse_momenta (name)
-  if (any (strcmp (name, {"stormer_verlet", "implicit_midpoint", "trigonometric", "generalized_alpha"})))
-    scene_error (["solver.name is \"%s\": with longitudinal modes without inertia a force changes the momentum of" ...
-                  " phi at once; take waveform, or model.axial = \"dynamic\""], name);
-  endif
 endfunction
 
 function y = initial_state (initial, model, c)
@@ -91,7 +86,7 @@ endfunction
 %! scene = setfield (paper (), "force", @(t) [1 0]);
 %! scene.model = struct ("modes", [1 1], "axial", "quasistatic");
 %! scene = check_scene (setfield (scene, "solver", "name", "trigonometric"));
-%! hinged_rod (scene, build_model (scene, rung_of_scene (scene)));
+%! rod_system (scene, build_model (scene, rung_of_scene (scene)));
 %!test # damping is the material's, in proportion to its stiffness; work and what dissipates begin with none
 %! scene = check_scene (setfield (damped (), "model", "modes", [1 2]));
 %! system = hinged_rod (scene, build_model (scene, rung_of_scene (scene)));

@@ -31,7 +31,8 @@ function system = hub_rod (scene, model)
   system.forces = @(t, q, v) forces (t, q, v, constants);
   system.accelerations = struct ("rate", system.rate, "state", @(z) z, "form", @(y) y);
   system.turned = isempty (model.rung.sines);
-  system.forms = rod_forms ();
+  system.forms = {"rate", "oscillators", "accelerations"};
+  system.refusal = "it takes no prescribed rotation; take generalized_alpha or waveform";
   system.auto = "waveform";
   system.warnings = {};
   system.duration = scene.duration;
@@ -71,6 +72,9 @@ endfunction
 %! theta = cell2mat (arrayfun (@(t) scene.rotation (t).', history.t, "uniformoutput", false));
 %! assert (history.psi, theta(1,:), 1e-12);
 %! assert (numel (history.torque), numel (history.t));
+%!error <solver.name is "trigonometric": it takes no prescribed rotation; take generalized_alpha or waveform>
+%! scene = check_scene (setfield (setfield (spin_up (), "model", "modes", [0 1]), "solver", "name", "trigonometric"));
+%! rod_system (scene, build_model (scene, rung_of_scene (scene)));
 %!test # it starts from its initial state, and with no work
 %! scene = setfield (spin_up (), "initial", struct ("V2", [1e-3 2e-3], "V2_dot", [3e-3 0]));
 %! scene = check_scene (setfield (scene, "model", "modes", [0 2]));

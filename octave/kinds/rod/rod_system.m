@@ -1,12 +1,14 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{system} =} rod_system (@var{scene}, @var{model})
 ## The system of first order that moves the scene's rod: @code{hub_rod} where its rotation is prescribed, else
-## @code{hinged_rod}; it starts as the scene has it, or in equilibrium.
+## @code{hinged_rod}; it starts as the scene has it, or in equilibrium.  The scene's solver is refused where the system
+## has no form for it.
 ## @end deftypefn
 
 function system = rod_system (scene, model)
   kinds = {@hinged_rod, @hub_rod};
   system = kinds{2 - isempty(scene.rotation)} (scene, model);
+  method_of (system, scene.solver.name);
   if (strcmp (scene.initial.from, "equilibrium") && rows (system.mass) > 0)  # a rigid rod in a hub is where that is
     q = equilibrium (rod_at_rest (model, system), 0);
     system.initial_state = system.accelerations.state ([q; 0*q; 0; 0]);
