@@ -2,9 +2,9 @@
 ## @deftypefn {} {@var{mechanism} =} list_markers (@var{mechanism}, @var{joints})
 ## A @var{mechanism}, of which groups and place count here (see @code{build_mechanism}), with the markers of its
 ## @var{joints}: marker_of (joints-by-2: the markers of each joint, numbered), ground (x, y, angle: those of markers
-## on the ground, 0 of the others) and markers (markers of equal bodies at one station, a group each: group, columns
-## (of the group's bodies), numbers (of the markers), marker (see @code{matrix_equations}), sees_point, sees_tangent:
-## whether a joint does).
+## on the ground, 0 of the others) and markers (markers of equal bodies at one station, a group each: group, index
+## (coordinates, a column a body), numbers (of the markers), marker (see @code{matrix_equations}), sees_point,
+## sees_tangent: whether a joint does).
 ## @end deftypefn
 
 function mechanism = list_markers (mechanism, joints)
@@ -48,9 +48,9 @@ function groups = grouped (known, mechanism, joints)
   place = mechanism.place(known(:,1),:);
   for pair = unique ([place(:,1), known(:,2)], "rows").'
     numbers = find (place(:,1) == pair(1) & known(:,2) == pair(2)).';
-    model = mechanism.groups(pair(1)).model;
-    groups(end+1) = struct ("group", pair(1), "columns", place(numbers,2).', "numbers", numbers, ...
-                            "marker", model.equations.marker (model, pair(2)), ...
+    bodies = mechanism.groups(pair(1));
+    groups(end+1) = struct ("group", pair(1), "index", bodies.index(:,place(numbers,2)), "numbers", numbers, ...
+                            "marker", bodies.model.equations.marker (bodies.model, pair(2)), ...
                             "sees_point", any_sees (joints, mechanism, numbers, "point"), ...
                             "sees_tangent", any_sees (joints, mechanism, numbers, "tangent"));
   endfor

@@ -20,8 +20,7 @@ function at = marker_motion (mechanism, k, motion_of)
     bodies = numel (i);
     motion = motion_of (group);
     equations = mechanism.groups(group.group).model.equations;
-    index = mechanism.groups(group.group).index(:,group.columns);
-    part = struct ("index", index, "numbers", i, "x_phi", 0, "y_phi", 0, "x_V", 0, "y_V", 0, "angle_V", 0);
+    part = struct ("index", group.index, "numbers", i, "x_phi", 0, "y_phi", 0, "x_V", 0, "y_V", 0, "angle_V", 0);
     if (group.sees_point)
       [x, y, x_dot, y_dot, part.x_phi, part.y_phi, part.x_V, part.y_V] = equations.point (motion, group.marker);
       at.x(i,:) = reshape (x, bodies, k);

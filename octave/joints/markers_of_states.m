@@ -4,7 +4,7 @@
 ## @end deftypefn
 
 function at = markers_of_states (mechanism, q, v)
-  at = marker_motion (mechanism, columns (q), @(group) motion_of_group (mechanism, group, q, v));
+  at = marker_motion (mechanism, columns (q), @(group) motion_of_group (group, q, v));
 endfunction
 
 %!test

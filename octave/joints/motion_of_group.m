@@ -1,15 +1,15 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{motion} =} motion_of_group (@var{mechanism}, @var{group}, @var{q}, @var{v})
-## The motion (see @code{motion_of_rods}) of the bodies of a marker @var{group} (see @code{list_markers}) in the states
-## @var{q}, @var{v} (n-by-k) of a @var{mechanism}, body beside body, state after state.
+## @deftypefn {} {@var{motion} =} motion_of_group (@var{group}, @var{q}, @var{v})
+## The motion (see @code{motion_of_rods}) of the bodies of a @var{group}, of a mechanism's bodies or markers (see
+## @code{build_mechanism}, @code{list_markers}), in its states @var{q}, @var{v} (n-by-k), body beside body, state after
+## state.
 ## @end deftypefn
 
-function motion = motion_of_group (mechanism, group, q, v)
-  index = mechanism.groups(group.group).index(:,group.columns);
-  motion = motion_of_rods (reshape (q(index,:), rows (index), []), reshape (v(index,:), rows (index), []));
+function motion = motion_of_group (group, q, v)
+  R = rows (group.index);
+  motion = motion_of_rods (reshape (q(group.index,:), R, []), reshape (v(group.index,:), R, []));
 endfunction
 
 %!test
-%! mechanism.groups.index = [1 5; 2 6; 3 7; 4 8];
-%! motion = motion_of_group (mechanism, struct ("group", 1, "columns", [2 1]), [1:8; 11:18].', ones (8, 2));
+%! motion = motion_of_group (struct ("index", [5 1; 6 2; 7 3; 8 4]), [1:8; 11:18].', ones (8, 2));
 %! assert (motion.V, [5 1 15 11]); assert (motion.y, [8 4 18 14]);

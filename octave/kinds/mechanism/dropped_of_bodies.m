@@ -74,12 +74,11 @@ function [angle, force] = angles_at_markers (mechanism, q, torque)
     if (! isempty (mechanism.groups(group.group).model.line))
       continue;
     endif
-    index = mechanism.groups(group.group).index(1:end-3,group.columns);
-    slope = group.marker.slope_2.'*motion_of_group (mechanism, group, q, 0*q).V;
+    slope = group.marker.slope_2.'*motion_of_group (group, q, 0*q).V;
     [turned, ~, by_slope] = rod_dropped_angle (slope, 0*slope, 0*slope, 0*slope);
     angle(group.numbers,:) = reshape (turned, numel (group.numbers), []);
     works = group.marker.slope_2*(reshape (torque(group.numbers,:), 1, []).*by_slope);
-    force(index,:) += reshape (works, [], columns (q));
+    force(group.index(1:end-3,:),:) += reshape (works, [], columns (q));
   endfor
 endfunction
 

@@ -9,19 +9,16 @@ function K = geometric_stiffness (mechanism, q, F)
   states = columns (q);
   K = sparse (mechanism.n*states, mechanism.n*states);
   for group = mechanism.markers
-    index = mechanism.groups(group.group).index(:,group.columns);
-    i = group.numbers;
-    R = rows (index) - 2;
-    count = columns (index)*states;
-    Q = reshape (q(index,:), R + 2, count);
-    motion = struct ("phi", Q(end-2,:), "V", Q(1:end-3,:));
-    flat = @(x) reshape (x(i,:), 1, count);
+    R = rows (group.index) - 2;
+    count = columns (group.index)*states;
+    motion = motion_of_group (group, q, 0*q);
+    flat = @(x) reshape (x(group.numbers,:), 1, count);
     loads = struct ("force_x", flat (F.x), "force_y", flat (F.y), "force_angle", flat (F.angle));
     [phi_phi, phi_V, V_V] = mechanism.groups(group.group).model.equations.marker_stiffness (motion, loads, group.marker);
     own = zeros (R, R, count);
     own(1:end-1,1:end-1,:) = reshape (V_V, R - 1, R - 1, count);
     own(:,end,:) = own(end,:,:) = reshape ([phi_V; phi_phi], R, 1, count);
-    V_and_phi = of_states (index(1:end-2,:), mechanism.n, states);
+    V_and_phi = of_states (group.index(1:end-2,:), mechanism.n, states);
     K -= blocks_at (V_and_phi, own, mechanism.n*states);
   endfor
 endfunction

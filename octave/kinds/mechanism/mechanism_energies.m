@@ -6,10 +6,8 @@
 function E = mechanism_energies (mechanism, q, v)
   E = zeros (3, columns (q));
   for group = mechanism.groups
-    [R, bodies] = size (group.index);
-    Q = reshape (q(group.index,:), R, []);
-    Q_dot = reshape (v(group.index,:), R, []);
-    [T, U, Z] = group.model.equations.energies (group.model, motion_of_rods (Q, Q_dot), mechanism.gravity);
+    bodies = columns (group.index);
+    [T, U, Z] = group.model.equations.energies (group.model, motion_of_group (group, q, v), mechanism.gravity);
     E += [sum(reshape (T, bodies, []), 1); sum(reshape (U, bodies, []), 1); sum(reshape (Z, bodies, []), 1)];
   endfor
 endfunction

@@ -7,10 +7,7 @@
 function f = rod_convection (mechanism, q, v)
   f = zeros (size (q));
   for group = mechanism.groups
-    R = rows (group.index);
-    Q = reshape (q(group.index,:), R, []);
-    Q_dot = reshape (v(group.index,:), R, []);
-    convection = group.model.equations.convection (group.model, motion_of_rods (Q, Q_dot));
+    convection = group.model.equations.convection (group.model, motion_of_group (group, q, v));
     f(group.index,:) = reshape (convection, [], columns (q));
   endfor
 endfunction

@@ -12,13 +12,10 @@ function d = rod_dynamics (mechanism, q, v)
   d.blocks = cell (1, numel (mechanism.groups));
   for g = 1:numel (mechanism.groups)
     group = mechanism.groups(g);
-    [R, bodies] = size (group.index);
-    Q = reshape (q(group.index,:), R, []);
-    Q_dot = reshape (v(group.index,:), R, []);
-    [force, dissipated, d.blocks{g}] = group.model.equations.dynamics (group.model, motion_of_rods (Q, Q_dot), ...
-                                                                       mechanism.gravity);
+    motion = motion_of_group (group, q, v);
+    [force, dissipated, d.blocks{g}] = group.model.equations.dynamics (group.model, motion, mechanism.gravity);
     d.force(group.index,:) = reshape (force, [], k);
-    d.dissipated += sum (reshape (dissipated, bodies, k), 1);
+    d.dissipated += sum (reshape (dissipated, columns (group.index), k), 1);
   endfor
 endfunction
 
