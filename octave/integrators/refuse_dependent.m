@@ -2,8 +2,7 @@
 ## @deftypefn {} {} refuse_dependent (@var{system}, @var{t}, @var{jacobian}, @var{tolerance})
 ## An error that names the joints whose constraints depend on those of the others at the time @var{t} (s), by the rank
 ## of their @var{jacobian} to the @var{tolerance} (default 1e-10): of the scene where t is 0, later of the integration,
-## which came to a singular position.  Nothing where no constraints depend on others and t is 0, or the tolerance is
-## given.
+## which came to a singular position.  Nothing where no constraints depend on others.
 ## @end deftypefn
 
 function refuse_dependent (system, t, jacobian, tolerance = 1e-10)
@@ -19,9 +18,6 @@ function refuse_dependent (system, t, jacobian, tolerance = 1e-10)
     endif
     stop_integration ("mechanism", system, t, NaN, ["it came to a singular position: " what], ...
                       "a motion that does not come there, or joints that leave it a way on");
-  elseif (t > 0 && nargin < 4)
-    stop_integration ("mechanism", system, t, NaN, "its equations have no unique solution", ...
-                      "other joints");
   endif
 endfunction
 

@@ -23,6 +23,9 @@ function [x, lambda] = saddle_solve (system, t, mass, jacobian, f, g, compliance
   added = abs (jacobian)*(abs (x) + abs (f)./abs (diag (mass))) + compliance.*abs (lambda) + abs (g);
   if (! all (off <= 1e-8*added))
     refuse_dependent (system, t, jacobian(! compliance,:));
+    if (t > 0)
+      stop_integration ("mechanism", system, t, NaN, "its equations have no unique solution", "other joints");
+    endif
   endif
 endfunction
 
@@ -36,6 +39,9 @@ endfunction
 %!error <at t = 0 s 1 of 2 constraints depend on the others, those of (elbow|knee):>  # rows that contradict each other
 %! mechanism.constraints.names = {"elbow", "knee"};
 %! saddle_solve (struct ("mechanism", mechanism), 0, speye (2), sparse ([1 1; 1 1]), [0; 0], [1; 2]);
+%!error <mechanism stopped at t = 0.5 s of 1 s: its equations have no unique solution>
+%! system = struct ("duration", 1, "stiffness", 0, "mass", 1);
+%! saddle_solve (system, 0.5, speye (2), sparse ([1 1]), [NaN; 0], 0);
 %!test # rows that say the same twice have a solution
 %! x = saddle_solve (struct (), 0, speye (2), sparse ([1 1; 1 1]), [0; 0], [1; 1]);
 %! assert (x, [0.5; 0.5], 1e-7);

@@ -56,9 +56,14 @@ function modes = complex_modes (M, C, K)
   [~, order] = sort (real (values(lone)), "descend");
   kept = [find(imag (values) > 1e-9*unit), lone(order(1:numel (lone)/2))];
   values = values(kept);
-  modes.omega = abs (values).*(imag (values) > 1e-9*unit);
-  modes.damping = -real (values)./max (abs (values), realmin).*(imag (values) > 1e-9*unit);
-  modes.rate = real (values).*(real (values) > 1e-9*max (abs (values), unit*(imag (values) <= 1e-9*unit)));
+  modes.omega = modes.damping = modes.rate = zeros (size (values));
+  oscillates = imag (values) > 1e-9*unit;
+  modes.omega(oscillates) = abs (values(oscillates));
+  modes.damping(oscillates) = -real (values(oscillates))./abs (values(oscillates));
+  noise = 1e-9*abs (values);
+  noise(! oscillates) = max (noise(! oscillates), 1e-9*unit);
+  grows = real (values) > noise;
+  modes.rate(grows) = real (values(grows));
   modes.vector = R \ vectors(1:p,kept);
   modes.shape = real (modes.vector./exp (1i*arg (sum (vectors(1:p,kept).^2, 1))/2));
 endfunction

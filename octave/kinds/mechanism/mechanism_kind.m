@@ -53,7 +53,7 @@ function [rung, note] = stated_rung (scene)
   note = "";
   if (! any (arrayfun (@(body) ischar (body.model.modes), scene.bodies)))
     rung = same_for_all (scene, 0, 0);  # bodies have what they state
-    note = stiffening_of_bodies (scene);
+    note = stiffening_note_of_bodies (scene);
   endif
 endfunction
 

@@ -19,7 +19,8 @@ function ladder = mechanism_ladder (scene)
   open = arrayfun (@(body) ischar (body.model.modes), scene.bodies);
   ladder.share = 0.5;
   ladder.parts = parts_of (most);
-  ladder.first = @() deal (within (struct ("bending", 1 + 4*exact, "longitudinal", exact)), stiffening_of_bodies (scene));
+  first = struct ("bending", 1 + 4*exact, "longitudinal", exact);
+  ladder.first = @() deal (within (first), stiffening_note_of_bodies (scene));
   ladder.richer = @(rung) within (struct ("bending", ceil (1.5*rung.bending) + 2, ...
                                           "longitudinal", 2*rung.longitudinal + 1));
   ladder.smaller = @(rung, part) within (one_less (rung, part));

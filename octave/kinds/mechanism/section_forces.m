@@ -28,7 +28,7 @@ function stations = stations_of (model)
   stations = linspace (0, model.length, 41).';
 endfunction
 
-function columns_of = of_body (model, motion, points, gravity)
+function resultants = of_body (model, motion, points, gravity)
   l = model.length;
   stations = stations_of (model);
   [x, y] = body_centreline (model, stations, motion, 1);
@@ -38,9 +38,9 @@ function columns_of = of_body (model, motion, points, gravity)
   [weight, moment] = weights_beyond (model, motion, stations, x, gravity);
   X = beyond*points.x;
   Y = beyond*points.y + weight;
-  columns_of.N = X.*cos (angle) + Y.*sin (angle);
-  columns_of.Q = Y.*cos (angle) - X.*sin (angle);
-  columns_of.M = beyond*(x_i.*points.y - y_i.*points.x + points.angle) - x.*(Y - weight) + y.*X + moment;
+  resultants.N = X.*cos (angle) + Y.*sin (angle);
+  resultants.Q = Y.*cos (angle) - X.*sin (angle);
+  resultants.M = beyond*(x_i.*points.y - y_i.*points.x + points.angle) - x.*(Y - weight) + y.*X + moment;
 endfunction
 
 ## what weighs beyond each station, and its moment about the centreline there

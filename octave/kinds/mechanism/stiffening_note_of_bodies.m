@@ -1,10 +1,10 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{note} =} stiffening_of_bodies (@var{scene})
+## @deftypefn {} {@var{note} =} stiffening_note_of_bodies (@var{scene})
 ## What @code{stiffening_note} has to say of a checked scene's bodies: of those that are straight and state their
 ## modes.
 ## @end deftypefn
 
-function note = stiffening_of_bodies (scene)
+function note = stiffening_note_of_bodies (scene)
   bending = zeros (1, numel (scene.bodies));
   for k = 1:numel (scene.bodies)
     body = scene.bodies(k);
@@ -17,8 +17,8 @@ endfunction
 
 %!test
 %! scene = check_mechanism (chain (2));
-%! assert (! isempty (stiffening_of_bodies (scene)));
+%! assert (! isempty (stiffening_note_of_bodies (scene)));
 %! for k = 1:2
 %!   scene.bodies(k).model.modes = "auto";
 %! endfor
-%! assert (stiffening_of_bodies (scene), "");
+%! assert (stiffening_note_of_bodies (scene), "");
