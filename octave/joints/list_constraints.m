@@ -1,9 +1,11 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{constraints} =} list_constraints (@var{mechanism}, @var{joints}, @var{field})
 ## The scalar constraints of all @var{joints}, or, where @var{field} is "springs", the elongations of their springs: a
-## struct of kinds (those of one function at once: form, convection, rows, first, second (markers), offset, joints,
-## coordinates (see @code{constraint_coordinates}), component (of the joint's value), constant (values), moving (rows
-## whose value is a function of time)), values (the joints' functions of t), names (a constraint each) and count.
+## struct of kinds (those of one function at once: form, convection, rows, first, second (markers), to_first, to_second
+## (markers-by-rows: they sum what rows have onto these markers), offset (of angles), takes_offset (whether form takes
+## it), joints, coordinates (see @code{constraint_coordinates}), component (of the joint's value), constant (values),
+## moving (those of the rows whose value is a function of time)), values (the joints' functions of t), names and joint
+## (a constraint each; the joint's number) and count.
 ## @end deftypefn
 
 function constraints = list_constraints (mechanism, joints, field = "constraints")

@@ -4,8 +4,9 @@
 ## @code{rung_of_scene}).
 ##
 ## Fields: models (of the bodies), n (coordinates: (V; phi; x; y) of body after body), groups (equal bodies, whose
-## equations are evaluated at once: model, bodies, index (coordinates, a column a body), columns_of (body)), markers
-## (see @code{list_markers}), constraints (see @code{list_constraints}), springs and loads (see
+## equations are evaluated at once: what (they have in common, a cell array), model, bodies, index (coordinates, a
+## column a body)), place (a row a body: the number of its group, and which of the group's bodies it is), markers and
+## what else @code{list_markers} adds, constraints (see @code{list_constraints}), springs and loads (see
 ## @code{list_springs}), gravity.
 ## @end deftypefn
 

@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{drawing} =} rod_drawing (@var{scene}, @var{model}, @var{history})
-## What the pictures show of a run with one hinged rod: the struct that @code{draw_pictures} takes.
+## What the pictures show of a run with one rod: the struct that @code{draw_pictures} takes.
 ## @end deftypefn
 
 function drawing = rod_drawing (scene, model, history)

@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{spectrum} =} tip_spectrum (@var{scene}, @var{run})
-## The spectra of a hinged rod's tip (see @code{spectrum_of_tip}) in a @var{run}, from the states between its frames
+## The spectra of the tip of one rod (see @code{spectrum_of_tip}) in a @var{run}, from the states between its frames
 ## (see @code{run_model}), at some three times the highest predicted frequency where they have it.  Empty without such
 ## states, or for a rigid rod.
 ## @end deftypefn
