@@ -1,18 +1,18 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{calls}, @var{files}] =} call_graph (@var{root})
+## @deftypefn {} {[@var{calls}, @var{files}] =} call_graph (@var{root}, @var{more})
 ## The calls among the function files under octave/ in the folder @var{root} (default: the project), within these, and
 ## those of files of generated/ there.  @var{calls} (n-by-1) has the fields caller and called (paths from @var{root}),
 ## within and name (the functions there), line (text) and arguments (texts with \v between, "@@" of a handle).
-## @var{files} (cellstr) are those under octave/.
+## @var{files} (cellstr) are those under octave/.  Calls of files in the folders @var{more} (a text) are there, too.
 ## @end deftypefn
 
-function [calls, files] = call_graph (root = fileparts (fileparts (which ("driver"))))
+function [calls, files] = call_graph (root = fileparts (fileparts (which ("driver"))), more = "")
   reader = fullfile (fileparts (mfilename ("fullpath")), "calls.awk");
   go = sprintf ("cd %s && ", shell_string (root));
   [~, text] = system ([go "find octave -name '*.m' | LC_ALL=C sort"]);
   files = strsplit (strtrim (text), "\n");
   [status, text] = system ([go "LC_ALL=C.UTF-8 gawk -f " shell_string(reader) ...
-                            " $(find octave generated -name '*.m' | LC_ALL=C sort)"]);
+                            " $(find octave generated " more " -name '*.m' | LC_ALL=C sort)"]);
   if (status != 0)
     error ("the calls cannot be read: %s", strtrim (text));
   endif
@@ -49,3 +49,7 @@ endfunction
 %!test # without parentheses
 %! assert (calls_of ("function rod ()", "  [x.cog, y] = bar;", "  cog on", "endfunction"), "rod 2 bar(); rod 3 cog()");
 %!assert (calls_of ("bar (arc () {:});"), " 1 bar(arc () {:});  1 arc()")
+%!test # the program calls nothing that only its tests have
+%! calls = call_graph (fileparts (fileparts (which ("driver"))), "tests/samples tests/octave tests/choices tests/pairs");
+%! strange = strncmp ({calls.caller}, "octave/", 7) & strncmp ({calls.called}, "tests/", 6);
+%! assert (strjoin (strcat ({calls(strange).caller}, {" calls "}, {calls(strange).name}), "\n"), "");
