@@ -70,8 +70,8 @@ function result = run_scene (given, options, left)
   result.summary = summary;
 endfunction
 
-## empty where the tolerance is kept by others, which drop so many metres, or where it is not to be; and, with a warning,
-## where it fails, or takes more than two minutes: the run of the model is there
+## empty where the tolerance is kept by others, which drop so many metres, or where it is not to be; and, with a
+## warning, where it fails, or takes more than two minutes: the run of the model is there
 function [result, why_not] = exact_run (dropped, given, options, scene, kind, output, name)
   result = [];
   why_not = {};

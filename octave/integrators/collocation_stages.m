@@ -8,8 +8,8 @@
 ## (2n-by-steps), which need not go on from one another (multiple shooting).
 ##
 ## @var{starts}: these states, and that at the end; @var{stages}: a cell of places and velocities, as @var{a};
-## @var{tangents}: see @code{collocation_tangents}; of one step those of a step before, where they are given and h is the
-## same, are taken for as long as they serve.  @var{message}: why there are none, or "".
+## @var{tangents}: see @code{collocation_tangents}; of one step those of a step before, where they are given and h is
+## the same, are taken for as long as they serve.  @var{message}: why there are none, or "".
 ## @end deftypefn
 
 function [a, starts, stages, tangents, message] = collocation_stages (system, method, t, h, y, a, starts, size, ...

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{stepper} =} residual_alpha (@var{system}, @var{h}, @var{solver})
-## The generalized-alpha method (see @code{generalized_alpha}) of a rod on a surface (see @code{surface_rod}) in steps of
-## @var{h} (s), for @code{integrate_fixed}: Newton's iteration on the residual at the step's end takes the mass, the
+## The generalized-alpha method (see @code{generalized_alpha}) of a rod on a surface (see @code{surface_rod}) in steps
+## of @var{h} (s), for @code{integrate_fixed}: Newton's iteration on the residual at the step's end takes the mass, the
 ## stiffness and the damping where it begins.
 ## @end deftypefn
 

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{rich} =} richer_path (@var{kind}, @var{scene}, @var{path}, @var{points})
-## What a @var{path} that was followed through its @var{points} (see @code{follow_path}) needs more: a struct of twice as
-## many functions and of their balance, where places then differ by more than a thousandth of the path's size a little
-## before its first event, or its end, or are not found; else, and where the functions are stated, empty.
+## What a @var{path} that was followed through its @var{points} (see @code{follow_path}) needs more: a struct of twice
+## as many functions and of their balance, where places then differ by more than a thousandth of the path's size a
+## little before its first event, or its end, or are not found; else, and where the functions are stated, empty.
 ## @end deftypefn
 
 function rich = richer_path (kind, scene, path, points)

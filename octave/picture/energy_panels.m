@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{panels} =} energy_panels (@var{history})
-## Two panels (see @code{new_panel}) of a @var{history} with the rows T, U, Z, W, D and balance (1-by-F, J): the energies
-## that are not zero, as D without damping is, and how far their balance leaves its start.
+## Two panels (see @code{new_panel}) of a @var{history} with the rows T, U, Z, W, D and balance (1-by-F, J): the
+## energies that are not zero, as D without damping is, and how far their balance leaves its start.
 ## @end deftypefn
 
 function panels = energy_panels (history)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{at} =} along_line (@var{line}, @var{motion})
 ## The fields of a geometrically exact rod at the p points of its @var{line} (see @code{line_points}) in k motions (a
-## struct of V, phi and their rates): a struct of stretch, angle and their rates, and of how the centreline goes on there,
-## its rates and derivatives (see @code{rod_exact_line}; p-by-k): x, y, x_dot, y_dot, x_convection, y_convection,
+## struct of V, phi and their rates): a struct of stretch, angle and their rates, and of how the centreline goes on
+## there, its rates and derivatives (see @code{rod_exact_line}; p-by-k): x, y, x_dot, y_dot, x_convection, y_convection,
 ## by_stretch_x, by_stretch_y, by_angle_x, by_angle_y.
 ## @end deftypefn
 

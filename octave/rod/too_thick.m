@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{yes} =} too_thick (@var{rod}, @var{section})
-## Whether a curved @var{rod} (a checked scene's field) is too thick for the geometrically exact one: layers inside of its
-## axis are shorter than those outside, by which its stiffness is not that of EA and EI.  That is by about the square of
-## the radius of gyration of its @var{section} (see @code{rod_section}) over that of the smallest radius, here above a
-## thousandth.
+## Whether a curved @var{rod} (a checked scene's field) is too thick for the geometrically exact one: layers inside of
+## its axis are shorter than those outside, by which its stiffness is not that of EA and EI.  That is by about the
+## square of the radius of gyration of its @var{section} (see @code{rod_section}) over that of the smallest radius, here
+## above a thousandth.
 ## @end deftypefn
 
 function yes = too_thick (rod, section)

@@ -2,9 +2,9 @@
 ## @deftypefn {} {[@var{scene}, @var{output}] =} take_options (@var{scene}, @var{folder}, @var{options})
 ## Put the options of @code{driver}, a cell array of names and values, into the scene's fields, and those that say what
 ## is written into the struct @var{output}: its @code{folder} (@var{folder}, unless the option "output" replaces it; ""
-## writes nothing), whether there are @code{pictures} (true, unless the option is false), how many times a second
-## (1/s) a @code{dense} table has, [] for none, the @code{command} that the summary has, "" for the call itself, and
-## whether the model is to be @code{exact} (see exactly in @code{kind_of}; "auto": where others cannot hold the tolerance).
+## writes nothing), whether there are @code{pictures} (true, unless the option is false), how many times a second (1/s)
+## a @code{dense} table has, [] for none, the @code{command} that the summary has, "" for the call itself, and whether
+## the model is to be @code{exact} (see exactly in @code{kind_of}; "auto": where others cannot hold the tolerance).
 ## @end deftypefn
 
 function [scene, output] = take_options (scene, folder, options)

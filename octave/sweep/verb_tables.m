@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{tables}, @var{units}] =} verb_tables (@var{scene}, @var{parts}, @var{names_alone})
-## What OBSERVE may ask of the studies of a @var{scene} (a struct, not checked) that @var{parts} (cellstr) name, a
-## field each of @var{tables}: modes has f (Hz), omega (rad/s), damping, growth (1/s) and change of the slowest twelve
-## (see @code{natural_modes}), and statics what @code{rest_figures} says.  @var{units} has the same fields, each " [m]"
-## or "". With @var{names_alone} nothing is computed: the tables have numbers that mean nothing, and twelve modes; truth,
+## What OBSERVE may ask of the studies of a @var{scene} (a struct, not checked) that @var{parts} (cellstr) name, a field
+## each of @var{tables}: modes has f (Hz), omega (rad/s), damping, growth (1/s) and change of the slowest twelve (see
+## @code{natural_modes}), and statics what @code{rest_figures} says.  @var{units} has the same fields, each " [m]" or
+## "".  With @var{names_alone} nothing is computed: the tables have numbers that mean nothing, and twelve modes; truth,
 ## which takes a run, is among them (see @code{true_figures}).
 ## @end deftypefn
 

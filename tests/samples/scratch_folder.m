@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{folder}, @var{gone}] =} scratch_folder ()
 ## A new @var{folder}, which is removed with all that is in it when the variable @var{gone} goes: when the test or the
-## function that has asked for it ends, whatever happens there.  Not for what ends with @code{lsode} in nested functions,
-## which keeps variables of all its callers until it is called again.
+## function that has asked for it ends, whatever happens there.  Not for what ends with @code{lsode} in nested
+## functions, which keeps variables of all its callers until it is called again.
 ## @end deftypefn
 
 function [folder, gone] = scratch_folder ()

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{exact}, @var{lacks}] =} exact_arc (@var{scene})
-## The geometrically exact rod of a checked @var{scene} of one curved rod: a checked scene of that body on its hinge, with
-## the same points, loads and times, whose field exact is the scene itself (see @code{exact_arc_kind}).  Where it has not
-## what the scene has, @var{exact} is empty, and @var{lacks} (a text) says what.
+## The geometrically exact rod of a checked @var{scene} of one curved rod: a checked scene of that body on its hinge,
+## with the same points, loads and times, whose field exact is the scene itself (see @code{exact_arc_kind}).  Where it
+## has not what the scene has, @var{exact} is empty, and @var{lacks} (a text) says what.
 ## @end deftypefn
 
 function [exact, lacks] = exact_arc (scene)

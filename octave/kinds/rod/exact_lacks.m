@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{what} =} exact_lacks (@var{scene}, @var{forms})
-## What the geometrically exact rod (see @code{exact_scene} and @code{exact_arc}), whose equations have the @var{forms} (a
-## cellstr), lacks of a checked scene of one rod, in words; empty where it lacks nothing.
+## What the geometrically exact rod (see @code{exact_scene} and @code{exact_arc}), whose equations have the @var{forms}
+## (a cellstr), lacks of a checked scene of one rod, in words; empty where it lacks nothing.
 ## @end deftypefn
 
 function what = exact_lacks (scene, forms)

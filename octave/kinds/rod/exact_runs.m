@@ -1,10 +1,10 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{run}, @var{converged}] =} exact_runs (@var{kind}, @var{scene}, @var{seconds}, @var{near})
-## The geometrically exact rods of a checked scene of a @var{kind} (see exactly in @code{kind_of}) with 9 polynomials, 12
-## or more, up to 32, each time with a quarter of the tolerance, until they have @var{converged}: a run with a name, and
-## how far the one before is off it (off, m), @var{near} (run) at most (by default a fifth of the tolerance).  The last
-## that was run, and false, where they take longer than so many @var{seconds}; empty where there are none for the scene,
-## or the first two take longer, which is said.
+## The geometrically exact rods of a checked scene of a @var{kind} (see exactly in @code{kind_of}) with 9 polynomials,
+## 12 or more, up to 32, each time with a quarter of the tolerance, until they have @var{converged}: a run with a name,
+## and how far the one before is off it (off, m), @var{near} (run) at most (by default a fifth of the tolerance).  The
+## last that was run, and false, where they take longer than so many @var{seconds}; empty where there are none for the
+## scene, or the first two take longer, which is said.
 ## @end deftypefn
 
 function [run, converged] = exact_runs (kind, scene, seconds, near = @(run) scene.solver.tolerance/5)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{plane}, @var{lacks}] =} exact_scene (@var{scene})
-## The geometrically exact rod of a checked scene of one straight rod: a checked scene of a rod on the upright plane (see
-## @code{exact_kind}) with the same points, loads and times, whose field exact has phi at first (rad).  Where it has not
-## what the scene has, @var{plane} is empty, and @var{lacks} (a text) says what.
+## The geometrically exact rod of a checked scene of one straight rod: a checked scene of a rod on the upright plane
+## (see @code{exact_kind}) with the same points, loads and times, whose field exact has phi at first (rad).  Where it
+## has not what the scene has, @var{plane} is empty, and @var{lacks} (a text) says what.
 ## @end deftypefn
 
 function [plane, lacks] = exact_scene (scene)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{turning} =} steady_rod (@var{kind}, @var{scene})
-## One rod of a checked @var{scene} of a @var{kind} in steady rotation, in a hub or free at its hinge, without weight and
-## loads, as @code{campbell} takes it: a struct of speed (rad/s, the largest that the scene's hub has, NaN without one)
-## and about (speed, q), which is @code{about_rotation}.  Without stated modes it is far richer than what would be
+## One rod of a checked @var{scene} of a @var{kind} in steady rotation, in a hub or free at its hinge, without weight
+## and loads, as @code{campbell} takes it: a struct of speed (rad/s, the largest that the scene's hub has, NaN without
+## one) and about (speed, q), which is @code{about_rotation}.  Without stated modes it is far richer than what would be
 ## chosen.
 ## @end deftypefn
 

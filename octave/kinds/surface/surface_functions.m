@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{surface} =} surface_functions (@var{given})
 ## The derived functions of the surface @var{given}, a struct of its name and its parameters: a struct of position,
 ## tangent, normal, laid, mass, balance, damping, turning, rotary_balance, energies, strains, section, point_loads,
-## spring, reaction, damped_reaction, angle, direction and support, which take the arguments of generated/surface_NAME_*.m but for the
-## surface, with arrays of any size.
+## spring, reaction, damped_reaction, angle, direction and support, which take the arguments of
+## generated/surface_NAME_*.m but for the surface, with arrays of any size.
 ##
 ## Surfaces of one's own (`make derive SURFACE=file') are found in output/surfaces/.  Unknown names, missing and
 ## unknown parameters and such that are not positive are errors.

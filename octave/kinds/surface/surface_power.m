@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{power} =} surface_power (@var{system}, @var{t}, @var{z}, @var{z_dot}, @var{z_ddot})
-## What the loads on a rod on a surface (see @code{surface_rod}), and what turns or moves its chart, do, and what dampers and the
-## material dissipate, at the m times @var{t} and states: 2-by-m, W.
+## What the loads on a rod on a surface (see @code{surface_rod}), and what turns or moves its chart, do, and what
+## dampers and the material dissipate, at the m times @var{t} and states: 2-by-m, W.
 ## @end deftypefn
 
 function power = surface_power (system, t, z, z_dot, z_ddot)

@@ -6,14 +6,14 @@
 ##
 ## Fields: n coordinates, numbers (of polynomials, modes, and sines), initial_state, place (see @code{place_rod}),
 ## residual (t, z, z_dot, z_ddot; see @code{surface_residual}), power (t, z, z_dot, z_ddot; see @code{surface_power}),
-## mass_matrix (z), tangent_stiffness and tangent_damping (t, z, z_dot, z_ddot; n-by-n-by-m), damped, rate, energies
-## (t, z, z_dot; see @code{surface_energies}), refuse_singular (z, when), size (z), the largest displacement (m) that
-## goes with a small change of z, turn (t, z) of what moves the chart (see @code{turned_fields}), stopped () = the
-## system in which that stands still where it is at the time, fields (t, z, z_dot, z_ddot, stations) = place, as the surface's
-## functions take it, at stations of the rod, surface, rod and gravity (likewise), points and weights (p-by-1, m, of
-## the quadrature), parts (what has mass: base, with its weights, and rod, of the rod and of a tip mass, a rod at one
-## place without stiffness), loads and springs (see @code{held_on_surface}), breaks, state_scale, mass, stiffness
-## (linear about the start), energy_floor (J), energy_rows (of W and D in y), forms, auto, warnings, duration.
+## mass_matrix (z), tangent_stiffness and tangent_damping (t, z, z_dot, z_ddot; n-by-n-by-m), damped, rate, energies (t,
+## z, z_dot; see @code{surface_energies}), refuse_singular (z, when), size (z), the largest displacement (m) that goes
+## with a small change of z, turn (t, z) of what moves the chart (see @code{turned_fields}), stopped () = the system in
+## which that stands still where it is at the time, fields (t, z, z_dot, z_ddot, stations) = place, as the surface's
+## functions take it, at stations of the rod, surface, rod and gravity (likewise), points and weights (p-by-1, m, of the
+## quadrature), parts (what has mass: base, with its weights, and rod, of the rod and of a tip mass, a rod at one place
+## without stiffness), loads and springs (see @code{held_on_surface}), breaks, state_scale, mass, stiffness (linear
+## about the start), energy_floor (J), energy_rows (of W and D in y), forms, auto, warnings, duration.
 ## @end deftypefn
 
 function system = surface_rod (scene)

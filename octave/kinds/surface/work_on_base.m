@@ -3,8 +3,8 @@
 ## Generalized forces @var{Q} (n-by-m) of virtual work per variation of the chart's coordinates, and of their first and
 ## second derivatives along the rod, @var{d} (a cell of 2, 4 or 6 densities, p-by-m), where the @var{base} (see
 ## @code{surface_basis}) has its stations; and where there is a @var{turn} of the chart (see @code{turned_fields}), to
-## which the @var{fields} belong, the @var{torque} (1-by-m) about its origin, and, where that moves, the work per its two
-## coordinates below it (3-by-m).
+## which the @var{fields} belong, the @var{torque} (1-by-m) about its origin, and, where that moves, the work per its
+## two coordinates below it (3-by-m).
 ## @end deftypefn
 
 function [Q, torque] = work_on_base (b, d, fields, turn)
