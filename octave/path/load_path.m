@@ -127,3 +127,12 @@ endfunction
 %! assert (found.events.factor, 1, 1e-5); assert (found.stable, true (size (found.factor)));
 %! tip = diff (found.shape{1}([end-1 end],1:2,end));
 %! assert (atan2d (abs (tip(2)), tip(1)), 40, 0.1);
+%!test # Euler's load of a column of welded pieces, that stays straight while its weld bears more
+%! body = struct ("rod", struct ("length", 0.5, "EA", 1e6, "EI", 1, "rhoA", 1, "rhoI", 0), ...
+%!                "initial", struct ("phi", pi/2), "model", struct ("energy", "uniaxial"));
+%! scene = struct ("bodies", {{body, body}}, "gravity", 0, "duration", 1);
+%! scene.joints = {struct("kind", "weld", "bodies", 1, "stations", 0)
+%!                 struct("kind", "weld", "bodies", [2 1], "stations", [0 0.5])
+%!                 struct("kind", "force", "bodies", 2, "stations", 0.5, "value", [0 -1])};
+%! found = load_path (mechanism_kind (), check_mechanism (scene), 0, 0:0.25:3);
+%! assert (found.events(1).what, "bifurcation"); assert (found.events(1).factor, pi^2/4, 1e-4);

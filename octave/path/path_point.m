@@ -23,8 +23,11 @@ function [point, sweeps] = path_point (path, x, lambda, normal)
     dx = [onto; 0] + bordered (linear, load, normal, force, plane - normal.'*(x + [onto; 0]));
     x += dx;
     lambda += inverse_of (linear.jacobian).'*(r(1:n) + load*dx(end) - linear.stiffness*dx(1:n));
-    moved(sweeps) = max (balance.size (dx(1:n))/path.size, abs (dx(end))/path.range);
+    moved(sweeps) = max (balance.size (dx(1:n))/path.size, abs (dx(end))/path.range) + 0*sum (dx);  # NaN stays NaN
     if (has_come (moved))
+      if (sweeps == 1)  # what is straight stays where it is, but bears more
+        linear = held_tangent (balance, x(end), x(1:n), lambda);
+      endif
       point = judged (path, struct ("x", x, "lambda", lambda, "linear", linear, "load", load, "tangent", [], ...
                                     "bend", 0, "event", "", "turns", []));
       return;

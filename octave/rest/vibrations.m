@@ -5,8 +5,9 @@
 ## which what is unstable grows, else 0), shape (p-by-p, real, of unit kinetic energy) and vector (p-by-p, likewise,
 ## but complex where parts of it do not move in phase).
 ##
-## Without damping they are those of the symmetric problem, whose slowest have full relative accuracy (its inverse is
-## solved); a follower load or damping takes the eigenvalues of the first order system.
+## Without damping they are those of the symmetric problem, a follower load or damping takes the eigenvalues of the
+## first order system; the slowest have full relative accuracy, inverses are solved.  What is damped so much that it
+## creeps back has a ratio above 1.
 ## @end deftypefn
 
 function modes = vibrations (linear)
@@ -44,28 +45,52 @@ function modes = real_modes (M, K)
   modes.vector = modes.shape;
 endfunction
 
-## pairs -zeta omega +- i omega sqrt (1 - zeta^2), and what does not oscillate
+## pairs -zeta omega +- i omega sqrt (1 - zeta^2), and what does not oscillate; 1/(s - shift) are the eigenvalues that
+## are solved for, so that the slowest have their accuracy beside what is stiff
 function modes = complex_modes (M, C, K)
   p = rows (M);
   R = chol (M);
-  unit = sqrt (max (norm (R.' \ K / R), realmin));
-  A = [zeros(p), unit*eye(p); -(R.' \ K / R)/unit, -(R.' \ C / R)];
-  [vectors, values] = eig (A);
-  values = diag (values).';
-  lone = find (abs (imag (values)) <= 1e-9*unit);  # two a mode: the one that grows, or creeps back slower
-  [~, order] = sort (real (values(lone)), "descend");
-  kept = [find(imag (values) > 1e-9*unit), lone(order(1:numel (lone)/2))];
-  values = values(kept);
-  modes.omega = modes.damping = modes.rate = zeros (size (values));
-  oscillates = imag (values) > 1e-9*unit;
-  modes.omega(oscillates) = abs (values(oscillates));
-  modes.damping(oscillates) = -real (values(oscillates))./abs (values(oscillates));
-  noise = 1e-9*abs (values);
-  noise(! oscillates) = max (noise(! oscillates), 1e-9*unit);
-  grows = real (values) > noise;
-  modes.rate(grows) = real (values(grows));
-  modes.vector = R \ vectors(1:p,kept);
-  modes.shape = real (modes.vector./exp (1i*arg (sum (vectors(1:p,kept).^2, 1))/2));
+  [C, K] = deal (R.' \ C / R, R.' \ K / R);
+  unit = slowest_of (real_modes (eye (p), (K + K.')/2));
+  shift = 0.1234567*unit;
+  above = -(K + shift*C + shift^2*eye (p)) \ [C + shift*eye(p), unit*eye(p)];
+  [vectors, values] = eig ([above; (eye(p, 2*p) + shift*above)/unit]);
+  values = shift + 1./diag (values).';
+  rounding = @(s) (1e-9 + 1e-15*abs (s)/unit).*abs (s);
+  pairs = find (imag (values) > rounding (values) + 1e-6*unit);
+  lone = find (abs (imag (values)) <= rounding (values) + 1e-6*unit);
+  [~, order] = sort (real (values(lone)), "descend");  # two a mode: the one that grows, or creeps back slower
+  kept = [pairs, lone(order(1:p-numel (pairs)))];
+  [values, y] = deal (values(kept), vectors(1:p,kept));
+  oscillates = 1:p <= numel (pairs);
+  noise = rounding (values) + 1e-6*unit*! oscillates;
+  modes.omega = abs (values);
+  modes.damping = -real (values)./abs (values);
+  for k = find (! oscillates)
+    [modes.omega(k), modes.damping(k)] = creeping (real (values(k)) < -noise(k), y(:,k), C, K);
+  endfor
+  modes.rate = real (values).*(real (values) > noise);
+  modes.vector = R \ y;
+  modes.shape = real (modes.vector./exp (1i*arg (sum (y.^2, 1))/2));
+endfunction
+
+## of what comes back, though it does not oscillate: as if nothing damped it, and the ratio, above 1
+function [omega, damping] = creeping (comes_back, y, C, K)
+  omega = damping = 0;
+  y = real (y/norm (y));
+  square = y.'*K*y;
+  if (comes_back && square > 0)
+    omega = sqrt (square);
+    damping = y.'*C*y/(2*omega);
+  endif
+endfunction
+
+function unit = slowest_of (modes)
+  speeds = max (modes.omega, modes.rate);
+  unit = min ([speeds(speeds > 0), Inf]);
+  if (isinf (unit))
+    unit = 1;
+  endif
 endfunction
 
 %!test # two masses: full accuracy of the slow one beside a stiff spring, and a rigid motion
@@ -92,3 +117,10 @@ endfunction
 %! assert (abs (modes.vector(2,:)./modes.vector(1,:) - [1i -1i]) < 1e-12 ...
 %!         | abs (modes.vector(2,:)./modes.vector(1,:) + [1i -1i]) < 1e-12);
 %! assert (sum (abs (modes.vector).^2), [1 1], 1e-12);
+%!test # damped in proportion to a stiffness of ten powers: slow ones oscillate, fast ones creep, each where it would be
+%! omega = [1 10 1e3 1e5 1e7];
+%! modes = vibrations (struct ("M", eye (5), "C", 1e-4*diag (omega.^2), "K", diag (omega.^2)));
+%! assert (modes.omega, omega, -1e-9); assert (modes.damping, 1e-4*omega/2, -1e-6); assert (modes.rate, zeros (1, 5));
+%!test # what only a damper holds is not brought back
+%! modes = vibrations (struct ("M", eye (2), "C", diag ([3 0.6]), "K", diag ([0 9])));
+%! assert (modes.omega, [0 3], 1e-9); assert (modes.damping, [0 0.1], 1e-9);
