@@ -55,7 +55,7 @@ help:
 		'[COUNTS="0 5 5 5 5" JOBS=2 TIME_LIMIT=600]'
 	@echo 'make conditioning    condition number of the mass matrix of arcs against the number of base functions: table'
 	@echo 'make map         the folders of octave/ and the calls between them: output/map.svg, .png' \
-		'[FUNCTION=rod_rates ARGUMENT=phi: where that comes from]'
+		'[FUNCTION=rod_rates ARGUMENT=motion: where that comes from]'
 	@echo 'make systems     setup, simulate and check in clean Debian 12, 13 and testing, as root' \
 		'[SYSTEMS="trixie" SUITES="rebuild awk" ROOTS=folder]'
 	@echo 'make pairs       all pairs of fields and their values: each runs, or is refused with a reason'

@@ -14,14 +14,22 @@ function [scene, kind, output, name] = checked_scene (which, options, change = @
   given = scene;
   scene = change (scene);
   kind = kind_of (scene);
+  asked = field_or (field_or (scene, "solver", struct ()), "name", "auto");
+  of_another = isequal (output.exact, true) && ischar (asked) && ! strcmp (kind.of_exact ().name, kind.name);
+  if (of_another)
+    scene.solver.name = "auto";  # the exact rod has methods of its own
+  endif
   scene = kind.check (scene);
+  if (isempty (scene.title))
+    scene.title = name;
+  endif
+  if (of_another)
+    scene.solver.name = asked;
+  endif
   if (isequal (output.exact, true))
     [scene, kind] = exactly (scene, kind);
   elseif (isempty (output.exact))
     output.exact = exact_by_default (given, kind.models (scene));
-  endif
-  if (isempty (scene.title))
-    scene.title = name;
   endif
 endfunction
 
@@ -70,3 +78,9 @@ endfunction
 %! assert ({scene.bodies(2).model.stiffening, kind.name}, {"exact", "mechanism"});
 %!error <exact: the geometrically exact rod lacks what the scene has: a rod so thick that>
 %! checked_scene (setfield (hook (), "rod", "half_height", 0.01), {"exact", true});
+%!test # geometrically exact rods have methods and the title of their scene
+%! arc = rmfield (arc_pendulum (), "title");
+%! [scene, ~, ~, name] = checked_scene (arc, {"exact", true, "solver", "radau"});
+%! assert ({scene.solver.name, scene.title, scene.exact.title}, {"radau", name, name});
+%!error <the geometrically exact rod lacks what the scene has: the solver waveform>
+%! checked_scene (arc_pendulum (), {"exact", true, "solver", "waveform"});

@@ -80,7 +80,8 @@
 function kind = kind_of (scene)
   kinds = kind_table ();
   if (! (isstruct (scene) && isscalar (scene)))
-    scene_error ("a scene is a function that returns a struct, not a %s", class (scene));
+    scene_error ("a scene is a function that returns a struct, not a %s%s", class (scene), ...
+                 repmat (" array", 1, numel (scene) > 1));
   endif
   kind = kinds(find (arrayfun (@(kind) kind.has (scene), kinds), 1));
 endfunction
@@ -89,3 +90,4 @@ endfunction
 %!assert (kind_of (chain (2)).name, "mechanism")
 %!assert (kind_of (bowl ()).name, "surface")
 %!error <a scene is a function that returns a struct, not a double> kind_of (3)
+%!error <a scene is a function that returns a struct, not a struct array> kind_of (struct ("duration", {1 2}))

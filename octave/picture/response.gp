@@ -2,7 +2,7 @@
 set xlabel "frequency, Hz"
 set ylabel "amplitude of the output a unit of the input"
 set logscale xy
-set xrange [f_low:f_high]
+set xrange [f_low == f_high ? f_low/2 : f_low:f_low == f_high ? 2*f_low : f_high]
 set format y "10^{%T}"
 set key outside bottom center horizontal maxcols 2 noenhanced
 do for [kind in "svg png"] {

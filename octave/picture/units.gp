@@ -7,4 +7,4 @@ T(units) = 1 - Y(units)
 units_high = height/real(unit)
 
 # A title that is too long for a high frame is set smaller still.
-fitting(size, room) = width < height && size > room/real(strlen(title)) ? room/real(strlen(title)) : size
+fitting(size, room) = width < height && size*strlen(title) > room ? room/real(strlen(title)) : size

@@ -13,8 +13,13 @@ function table = method_curves (kind, scene, model, system, reference, left)
   for k = 1:numel (methods)
     seconds = max (left (), 0)/2*weights(k)/sum (weights(k:end));
     curves{k} = method_curve (kind, scene, model, methods(k), reference, seconds);
-    report (curves{k});
+    arrayfun (@report, curves{k});
   endfor
+  ran = ! cellfun (@isempty, curves);
+  [curves, methods, weights] = deal (curves(ran), methods(ran), weights(ran));
+  if (isempty (curves))
+    error ("toolchain:integration", "no time was left for a point of any method: take a larger budget\n");
+  endif
   [~, order] = sort (cellfun (@seconds_of, curves));
   for k = order
     seconds = max (left (), 0)*weights(k)/sum (weights(order(find (order == k):end)));
@@ -63,3 +68,8 @@ endfunction
 %!         " ode45 0.5 6.9 m, 5.00 s, 7 calls (of 50 % of the duration) "
 %!         " lsode_adams 0.5 16 m, 1.00 s, 7 calls (of 50 % of the duration) stopped"};
 %! assert (lines, [told.', {"ode45,ode45,lsode_adams,lsode_adams,rk4,rk4,"}]);
+%!error <no time was left for a point of any method: take a larger budget>
+%! kind = rod_kind ();
+%! scene = check_scene (setfield (setfield (swing (), "duration", 0.05), "model", "modes", [0 1]));
+%! model = kind.build (scene, kind.stated (scene));
+%! method_curves (kind, scene, model, started_system (kind, scene, model), [], @() -1);

@@ -18,6 +18,7 @@ function scene = check_mechanism (given)
   scene.joints = check_joints (scene.joints, scene.bodies);
   [scene.breaks, scene.probed] = load_breaks (joint_loads (scene.joints), scene.breaks, scene);
   scene.joints = with_values (scene.joints, scene.bodies);
+  refuse_rates_of_joints (scene);
   scene.solver.tolerance = tolerance_in_metres (scene.solver.tolerance, mechanism_kind ().pixel (scene));
   scene = in_pieces (scene, scene.pieces);
 endfunction
@@ -36,6 +37,16 @@ function scene = same_modes (scene)
       scene = rmfield (scene, "model");
     endif
   endif
+endfunction
+
+function refuse_rates_of_joints (scene)
+  for k = 1:numel (scene.joints)
+    [numbers, orders] = value_size (scene.joints(k));
+    for part = 1:numbers*(orders == 3)
+      refuse_wrong_rates (@(t) scene.joints(k).value (t)(:,part), scene.duration, sprintf ("joints(%d).value", k), ...
+                          {"value", "rate", "second rate", "a value"});
+    endfor
+  endfor
 endfunction
 
 function body = check_body (body, what)
@@ -76,4 +87,8 @@ endfunction
 %! scene = two (); scene.bodies{2}.rod.width = []; check_mechanism (scene);
 %!error <joints\(3\).value gives \[1 NaN 0\] at t = 0: it takes 3 numbers, a row each for place, rate and acceleration>
 %! scene = two (); scene.joints{3} = struct ("kind", "angle", "bodies", 1, "stations", 0, "value", @(t) [1 NaN 0]);
+%! check_mechanism (scene);
+%!error <joints\(2\).value gives rate = .*, where its value rises by .* a second: it takes a value and its rates>
+%! scene = two ();
+%! scene.joints{2} = struct ("kind", "position", "bodies", 2, "stations", 0, "value", @(t) [1 t^2; 0 t; 0 2]);
 %! check_mechanism (scene);

@@ -1,10 +1,13 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{scene} =} scene_at_rest (@var{given})
 ## A scene as the studies of equilibrium take it, not checked yet: one rod is one body (see @code{scene_of_bodies}),
-## and bodies have neither velocities nor modal amplitudes at the start.
+## bodies have neither velocities nor modal amplitudes at the start, and nothing has a method.
 ## @end deftypefn
 
 function scene = scene_at_rest (given)
+  if (isfield (given, "solver") && isstruct (given.solver))
+    given.solver = rmfield (given.solver, intersect ({"name", "step"}, fieldnames (given.solver)));
+  endif
   scene = scene_of_bodies (given);
   if (isfield (scene, "bodies") && iscell (scene.bodies))
     scene.bodies = cellfun (@placed, scene.bodies, "uniformoutput", false);
@@ -23,3 +26,6 @@ endfunction
 %! assert (kind_of (scene).name, "mechanism");
 %! assert (scene.bodies{1}.initial, struct ("phi", 1));
 %! assert (kind_of (scene_at_rest (bowl ())).name, "surface");
+%!test # a method is no matter
+%! scene = scene_at_rest (setfield (swing (), "solver", struct ("name", "rk4", "step", 1e-4, "tolerance", 1e-3)));
+%! assert (scene.solver, struct ("tolerance", 1e-3));

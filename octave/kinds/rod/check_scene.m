@@ -37,6 +37,7 @@ endfunction
 
 ## the tangent at O is prescribed: a moment there would do nothing, and phi follows
 function refuse_with_rotation (scene)
+  refuse_wrong_rates (scene.rotation, scene.duration);
   if (any (scene.moment (load_times (scene))))
     scene_error ("moment and rotation are both given: a hub that prescribes the rotation takes any moment at O");
   elseif (scene.initial.phi != 0 || scene.initial.phi_dot != 0)

@@ -16,6 +16,14 @@ function kind = exact_kind ()
   kind.describe = @describe_exact;
   kind.columns = @exact_columns;
   kind.drawing = @exact_drawing;
+  kind.turning = @steady_exact;
+endfunction
+
+function turning = steady_exact (scene)
+  if (isempty (scene.rotation))
+    scene_error ("no steady rotation: the geometrically exact rod turns in a hub, or, as a body, about its joint");
+  endif
+  turning = steady_surface (scene);
 endfunction
 
 function run = observe_exact (scene, model, system, times, states)
@@ -87,3 +95,5 @@ endfunction
 %! scene = struct ("name", "sphere", "radius", 1);
 %! driver (struct ("surface", scene, "rod", struct ("length", 1), "duration", 1, "exact", true), "output", "");
 %!error <exact is not a field> driver (setfield (swing (), "exact", true), "output", "")
+%!error <the geometrically exact rod turns in a hub, or, as a body>
+%! exact_kind ().turning (exact_scene (check_scene (swing ())));
