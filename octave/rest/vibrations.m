@@ -46,51 +46,53 @@ function modes = real_modes (M, K)
 endfunction
 
 ## pairs -zeta omega +- i omega sqrt (1 - zeta^2), and what does not oscillate; 1/(s - shift) are the eigenvalues that
-## are solved for, so that the slowest have their accuracy beside what is stiff
+## are solved for, in coordinates of like stiffness, so that the slowest have their accuracy beside what is stiff
 function modes = complex_modes (M, C, K)
   p = rows (M);
-  R = chol (M);
-  [C, K] = deal (R.' \ C / R, R.' \ K / R);
-  unit = slowest_of (real_modes (eye (p), (K + K.')/2));
-  shift = 0.1234567*unit;
-  above = -(K + shift*C + shift^2*eye (p)) \ [C + shift*eye(p), unit*eye(p)];
-  [vectors, values] = eig ([above; (eye(p, 2*p) + shift*above)/unit]);
-  values = shift + 1./diag (values).';
-  rounding = @(s) (1e-9 + 1e-15*abs (s)/unit).*abs (s);
-  pairs = find (imag (values) > rounding (values) + 1e-6*unit);
-  lone = find (abs (imag (values)) <= rounding (values) + 1e-6*unit);
-  [~, order] = sort (real (values(lone)), "descend");  # two a mode: the one that grows, or creeps back slower
-  kept = [pairs, lone(order(1:p-numel (pairs)))];
-  [values, y] = deal (values(kept), vectors(1:p,kept));
-  oscillates = 1:p <= numel (pairs);
-  noise = rounding (values) + 1e-6*unit*! oscillates;
-  modes.omega = abs (values);
-  modes.damping = -real (values)./abs (values);
-  for k = find (! oscillates)
-    [modes.omega(k), modes.damping(k)] = creeping (real (values(k)) < -noise(k), y(:,k), C, K);
-  endfor
-  modes.rate = real (values).*(real (values) > noise);
-  modes.vector = R \ y;
-  modes.shape = real (modes.vector./exp (1i*arg (sum (y.^2, 1))/2));
-endfunction
-
-## of what comes back, though it does not oscillate: as if nothing damped it, and the ratio, above 1
-function [omega, damping] = creeping (comes_back, y, C, K)
-  omega = damping = 0;
-  y = real (y/norm (y));
-  square = y.'*K*y;
-  if (comes_back && square > 0)
-    omega = sqrt (square);
-    damping = y.'*C*y/(2*omega);
-  endif
-endfunction
-
-function unit = slowest_of (modes)
-  speeds = max (modes.omega, modes.rate);
-  unit = min ([speeds(speeds > 0), Inf]);
+  scale = 1./sqrt (abs (diag (K)) + 1e-16*max ([abs(diag(K))./diag(M); realmin])*diag (M));
+  [M, C, K] = deal (M.*(scale*scale.'), C.*(scale*scale.'), K.*(scale*scale.'));
+  slow = real_modes (M, (K + K.')/2);
+  speeds = max (slow.omega, slow.rate);
+  unit = min ([speeds(speeds > noise_of (slow.shape, M, K)), Inf]);
   if (isinf (unit))
     unit = 1;
   endif
+  shift = 0.1234567*unit;
+  above = -quietly (@() (K + shift*C + shift^2*M) \ [C + shift*M, unit*M]);
+  [vectors, values] = eig ([above; (eye(p, 2*p) + shift*above)/unit]);
+  values = shift + 1./diag (values).';
+  rounding = (1e-9 + 1e-15*abs (values)/unit).*abs (values);
+  least = max (noise_of (vectors(1:p,:), M, K), 1e-6*unit);
+  pairs = find (imag (values) > rounding + least);
+  lone = find (abs (imag (values)) <= rounding + least);
+  [~, order] = sort (real (values(lone)), "descend");  # two a mode: the one that grows, or creeps back slower
+  kept = [pairs, lone(order(1:p-numel (pairs)))];
+  [values, y, rounding, least] = deal (values(kept), vectors(1:p,kept), rounding(kept), least(kept));
+  oscillates = 1:p <= numel (pairs);
+  noise = rounding + least.*! oscillates;
+  modes.omega = abs (values);
+  modes.damping = -real (values)./abs (values);
+  for k = find (! oscillates)
+    [modes.omega(k), modes.damping(k)] = creeping (real (values(k)) < -noise(k), real (y(:,k)), M, C, K);
+  endfor
+  modes.rate = real (values).*(real (values) > noise);
+  modes.vector = scale.*y;
+  modes.shape = real (modes.vector./exp (1i*arg (sum (y.*(M*y), 1))/2));
+endfunction
+
+## of what comes back, though it does not oscillate: as if nothing damped it, and the ratio, above 1
+function [omega, damping] = creeping (comes_back, y, M, C, K)
+  omega = damping = 0;
+  square = (y.'*K*y)/(y.'*M*y);
+  if (comes_back && square > 0)
+    omega = sqrt (square);
+    damping = (y.'*C*y)/(y.'*M*y)/(2*omega);
+  endif
+endfunction
+
+## how fast motions y (columns) may seem to vibrate by the rounding of a stiffness K, which may cancel in them
+function omega = noise_of (y, M, K)
+  omega = sqrt (10*eps*sum (abs (y).*(abs (K)*abs (y)), 1)./real (sum (conj (y).*(M*y), 1)));
 endfunction
 
 %!test # two masses: full accuracy of the slow one beside a stiff spring, and a rigid motion

@@ -118,3 +118,15 @@ endfunction
 %! scene = setfield (setfield (slender (), "initial", "phi", pi/2), "gravity", 0.1);
 %! said = evalc ("table = natural_modes (scene, 'modes', [0 0], 'output', '');");
 %! assert (table.growth, sqrt (0.15), 1e-6); assert (! isempty (strfind (said, "unstable: grows by exp (0.3873 t)")));
+%!test # a damper at a joint of geometrically exact rods, of 32 polynomials each, leaves the slow modes where they are
+%! rod = struct ("length", 0.4, "width", 0.02, "half_height", 0.004);
+%! scene.bodies = {struct("rod", rod, "initial", struct ("phi", -pi/2)), struct("rod", rod)};
+%! scene.bodies{2}.initial = scene.bodies{1}.initial;
+%! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)
+%!                 struct("kind", "revolute", "bodies", [1 2], "stations", [0.4 0])
+%!                 struct("kind", "torsion_spring", "bodies", [1 2], "stations", [0.4 0], "stiffness", 20)};
+%! scene.duration = 1;
+%! evalc ("free = natural_modes (scene, 'exact', true, 'output', '');");
+%! scene.joints{3}.damping = 0.01;
+%! evalc ("damped = natural_modes (scene, 'exact', true, 'output', '');");
+%! assert ([damped(1:2).f], [free(1:2).f], -2e-4); assert (damped(2).damping, 0.0138, 1e-4);

@@ -10,6 +10,7 @@ function kind = exact_arc_kind ()
   kind.name = "exact arc";
   kind.has = @(given) isfield (given, "exact") && isstruct (given.exact);
   kind.check = @refuse;
+  kind.of_exact = @exact_arc_kind;
   kind.ladder = @ladder_of_polynomials;
   kind.observe = @observe_arc;
   kind.describe = @describe_arc;
@@ -65,3 +66,4 @@ endfunction
 %! assert (mean_of (1), mean_of (2), 0.03*mean_of (2));
 %! assert ({panels{1}(1:2).label}, {panels{2}(1:2).label});
 %!error <exact is not a field of a scene> driver (setfield (arc_pendulum (), "exact", struct ()), "output", "")
+%!assert ({exact_arc_kind().of_exact().name, exact_kind().of_exact().name}, {"exact arc", "exact"})

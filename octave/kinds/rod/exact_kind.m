@@ -17,6 +17,7 @@ function kind = exact_kind ()
   kind.columns = @exact_columns;
   kind.drawing = @exact_drawing;
   kind.turning = @steady_exact;
+  kind.of_exact = @exact_kind;
 endfunction
 
 function turning = steady_exact (scene)

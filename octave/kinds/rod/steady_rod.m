@@ -20,6 +20,7 @@ function turning = steady_rod (kind, scene)
     rung = kind.far_richer (scene, []);
   endif
   model = kind.build (scene, rung);
+  softening_note ({model});
   turning.about = @(speed, q) about_rotation (scene, model, speed, q);
 endfunction
 
