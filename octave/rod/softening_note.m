@@ -5,7 +5,8 @@
 ## @end deftypefn
 
 function softening_note (models)
-  if (any (cellfun (@(model) isfield (model.base, "axis") && isempty (field_or (model, "line", [])), models)))
+  exact = @(model) isfield (model, "line") && ! isempty (model.line);
+  if (any (cellfun (@(model) isfield (model.base, "axis") && ! exact (model), models)))
     say (["warning: strains of a curved rod are linear in its displacements: it softens as it turns, where it would" ...
           " stiffen; EXACT=yes, or the option \"exact\", takes the geometrically exact rod"]);
   endif

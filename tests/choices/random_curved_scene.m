@@ -48,7 +48,7 @@ endfunction
 %! shapes = zeros (1, 3);
 %! for seed = 1:30
 %!   scene = random_curved_scene (seed);
-%!   assert (kind_of (scene).name, "rod");
+%!   assert (kind_of (scene).name, "curved rod");
 %!   check_scene (scene);
 %!   shapes(1 + is_function_handle (scene.rod.curvature) + isfield (scene.rod, "curvature_breaks"))++;
 %!   l = scene.rod.length;

@@ -71,13 +71,14 @@ endfunction
 %! scene.bodies = {struct("rod", rod, "model", struct ("modes", [0 0]), "initial", struct ("phi", pi/2, ...
 %!   "phi_dot", 2))};
 %! scene.joints = {struct("kind", "position", "bodies", 1, "stations", 0.5, "point", [3 0], ...
-%!                        "value", @(t) [0.2+t 0.1; 1 5; 0 0])};
+%!                        "value", @(t) [0.2+t 0.1+5*t; 1 5; 0 0])};
 %! scene.duration = 1;
 %! [place, velocity] = placed (scene);
 %! assert (place, [3.2 -0.4], 1e-12); assert (velocity, [1+1 5], 1e-12);
 %! scene = struct ("duration", 1, "bodies", {{struct("rod", rod, "model", struct ("modes", [0 0])), ...
 %!                                            struct("rod", rod, "model", struct ("modes", [0 0]))}});
 %! scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0), ...
-%!                 struct("kind", "position", "bodies", [1 2], "stations", [1 0], "value", @(t) [0.2 0.1; 3 4; 0 0])};
+%!                 struct("kind", "position", "bodies", [1 2], "stations", [1 0], ...
+%!                        "value", @(t) [0.2+3*t 0.1+4*t; 3 4; 0 0])};
 %! [place, velocity] = placed (scene);
 %! assert (place, [0 0; 0.8 -0.1], 1e-12); assert (velocity, [0 0; -3 -4], 1e-12);

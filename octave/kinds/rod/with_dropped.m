@@ -94,7 +94,8 @@ endfunction
 %!endfunction
 %!function q_ddot = in_a_hub (scene, q, phi, theta_ddot)   # from rest
 %!  theta = phi - behind (scene, q);
-%!  scene = check_scene (setfield (scene, "rotation", @(t) [theta, 0, theta_ddot]));
+%!  turn = @(t) [theta + theta_ddot*(t - 1)^2/2, theta_ddot*(t - 1), theta_ddot];
+%!  scene = check_scene (setfield (scene, "rotation", turn));
 %!  rate = with_dropped (scene, build_model (scene, rung_of_scene (scene))).rate;
 %!  q_ddot = rate (1, [q; zeros(numel (q) + 2, 1)])(numel (q)+1:2*numel (q));
 %!endfunction
