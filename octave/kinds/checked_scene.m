@@ -14,26 +14,34 @@ function [scene, kind, output, name] = checked_scene (which, options, change = @
   given = scene;
   scene = change (scene);
   kind = kind_of (scene);
-  asked = field_or (field_or (scene, "solver", struct ()), "name", "auto");
-  of_another = isequal (output.exact, true) && ischar (asked) && ! strcmp (kind.of_exact ().name, kind.name);
-  if (of_another)
-    scene.solver.name = "auto";  # the exact rod has methods of its own
-  endif
-  scene = kind.check (scene);
-  if (isempty (scene.title))
-    scene.title = name;
-  endif
-  if (of_another)
-    scene.solver.name = asked;
-  endif
   if (isequal (output.exact, true))
-    [scene, kind] = exactly (scene, kind);
-  elseif (isempty (output.exact))
+    [scene, kind] = exactly (scene, kind, name);
+  else
+    scene = titled (kind.check (scene), name);
+  endif
+  if (isempty (output.exact))
     output.exact = exact_by_default (given, kind.models (scene));
   endif
 endfunction
 
-function [plane, kind] = exactly (scene, kind)
+function scene = titled (scene, name)
+  if (isempty (scene.title))
+    scene.title = name;
+  endif
+endfunction
+
+## where the exact rod is of another kind, it has methods of its own, of which exactly judges
+function [plane, kind] = exactly (scene, kind, name)
+  solver = field_or (scene, "solver", []);
+  asked = field_or (solver, "name", []);
+  of_another = isstruct (solver) && ischar (asked) && ! strcmp (kind.of_exact ().name, kind.name);
+  if (of_another)
+    scene.solver.name = "auto";
+  endif
+  scene = titled (kind.check (scene), name);
+  if (of_another)
+    scene.solver.name = asked;
+  endif
   [plane, lacks] = kind.exactly (scene);
   if (isempty (plane))
     scene_error ("exact: the geometrically exact rod lacks what the scene has: %s", lacks);
@@ -84,3 +92,4 @@ endfunction
 %! assert ({scene.solver.name, scene.title, scene.exact.title}, {"radau", name, name});
 %!error <the geometrically exact rod lacks what the scene has: the solver waveform>
 %! checked_scene (arc_pendulum (), {"exact", true, "solver", "waveform"});
+%!error <solver is a double: it takes a struct> checked_scene (setfield (swing (), "solver", 3), {"exact", true});

@@ -17,7 +17,7 @@ function found = frequency_response (scene = "paper", varargin)
                   " value [0 0], say, is an input"]);
   endif
   if (isempty (f))
-    f = spread_frequencies (vibrations (struct ("M", model.M, "C", model.C + model.G, "K", model.K)).omega);
+    f = spread_frequencies (model.omega);
   endif
   result = struct ("f", f, "response", responses (model, 2i*pi*f), "inputs", {model.inputs}, "outputs", ...
                    {model.outputs});

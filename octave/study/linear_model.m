@@ -3,8 +3,8 @@
 ##   @dots{})
 ## The equations of a scene of any kind linear about the equilibrium that it comes to (see @code{statics}, also for the
 ## arguments), with named inputs and outputs: a struct of M, C, G and K (p-by-p: M y'' + (C + G) y' + K y = F u; C
-## symmetric, G skew), F, basis (n-by-p, of the coordinates q by y), and of the same as x' = A x + B u, z = C_out x + D
-## u in the form that @code{ss (A, B, C_out, D)} of the control package takes.
+## symmetric, G skew), F, basis (n-by-p, of the coordinates q by y), omega (rad/s, of its vibrations), and of the same as x'
+## = A x + B u, z = C_out x + D u in the form that @code{ss (A, B, C_out, D)} of the control package takes.
 ##
 ## inputs (cellstr) are the components of forces and moments; of prescribed places and angles (driven) it is their
 ## acceleration (per s^2), and they and their rates are the last states, after y and y'. outputs (cellstr) are columns
@@ -28,6 +28,7 @@ function [model, scene, output] = linear_model (scene = "paper", varargin)
   [into, hold] = pushes (kind.at_rest (unit, rods), found, numel (model.inputs));
   [model.outputs, model.rest, by] = observed (kind, unit, rods, found, numel (model.inputs), wanted);
   model = with_matrices (model, found, into, hold, by);
+  model.omega = found.vibrations.omega;
 endfunction
 
 function [wanted, options] = wanted_outputs (options)
