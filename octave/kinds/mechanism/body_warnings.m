@@ -9,17 +9,9 @@ function warnings = body_warnings (scene, run)
   instead = mechanism_kind ().instead (scene);
   for k = 1:numel (run.history.bodies)
     body = scene.bodies(k);
-    for limit = limits_of_body (scene, run, k)
-      if (strncmp (limit.what, "slope", 5) && limit.reached > limit.limit)
-        warnings{end+1} = sprintf (["%s bends to a slope of %.2g: the model holds below some %g; %s"], body.name, ...
-                                   limit.reached, limit.limit, instead);
-      elseif (strncmp (limit.what, "strain", 6) && limit.reached > limit.limit)
-        warnings{end+1} = sprintf (["%s is strained by %.2g, linear elasticity holds for small strains: take smaller" ...
-                                    " loads"], body.name, limit.reached);
-      endif
-    endfor
     spin = spin_warning (body, run.model.models{k}, max (abs (run.history.bodies(k).phi_dot)));
-    warnings = [warnings, strcat(body.name, {": "}, spin)];
+    warnings = [warnings, limit_warnings(limits_of_body (scene, run, k), [body.name ": "], instead), ...
+                strcat(body.name, {": "}, spin)];
   endfor
 endfunction
 
@@ -28,7 +20,7 @@ endfunction
 %! start.q(index_of (system.mechanism, 2)(1)) = 0.1;
 %! run.model = system.mechanism;
 %! run.history = measure_mechanism (system, 0, start);
-%! assert (! isempty (regexp (body_warnings (scene, run){1}, "body 2 bends to a slope of 0.63")));
+%! assert (! isempty (regexp (body_warnings (scene, run){1}, "^body 2: the slope v2,1 reaches 0.63, .* up to 0.3")));
 %!test # a rod that turns faster than it keeps its stiffness, and is stretched by it
 %! scene.bodies = {struct("rod", struct ("length", 1, "EA", 1e3, "EI", 1, "rhoA", 1), "initial", struct ("phi_dot", 8), ...
 %!                        "model", struct ("modes", [1 1], "energy", "uniaxial"))};
@@ -37,4 +29,4 @@ endfunction
 %! warnings = driver (scene, "output", "").summary.warnings;
 %! said = @(text) any (! cellfun (@isempty, regexp (warnings, text)));
 %! assert (said ("^body 1: phi_dot reaches 8 rad/s, .* first frequency is 9.87 rad/s: without foreshortening"));
-%! assert (said ("^body 1 is strained by 0.0[2-9]"));
+%! assert (said ("^body 1: the strain v1,1 reaches 0.0[2-9]"));

@@ -6,25 +6,18 @@
 ## @end deftypefn
 
 function warnings = validity_warnings (scene, model, history)
-  warnings = [slope_warnings(scene, model, history), spin_warning(scene, model, max (abs (history.phi_dot))), ...
-              spectrum_warning(scene, model)];
+  limits = rod_limits (scene, model, history);
+  warnings = [limit_warnings(limits, "", "take a stiffer rod or smaller loads"), ...
+              drawing_warning(scene, largest_slopes (model, history.V)), ...
+              spin_warning(scene, model, max (abs (history.phi_dot))), spectrum_warning(scene, model)];
 endfunction
 
-function warnings = slope_warnings (scene, model, history)
+## a zoomed rod that crosses itself on pictures
+function warnings = drawing_warning (scene, slope)
   warnings = {};
-  limits = rod_limits (scene, model, history);
-  [slope, strain] = limits(1:2).reached;
-  if (slope > limits(1).limit)
-    warnings{end+1} = sprintf (["the slope v2,1 reaches %.2g, the theory holds for small ones: errors of its" ...
-                                " square are %.1g; take a stiffer rod or smaller loads"], slope, slope^2/2);
-  endif
-  if (strain > limits(2).limit)
-    warnings{end+1} = sprintf (["the strain v1,1 reaches %.2g, linear elasticity holds for small ones:" ...
-                                " take smaller loads"], strain);
-  endif
   if (scene.zoom*slope > 3)
-    warnings{end+1} = sprintf (["the drawn slope reaches %.3g at zoom %g, so that the drawn rod may cross itself:" ...
-                                " take a zoom of %.2g"], scene.zoom*slope, scene.zoom, 3/slope);
+    warnings = {sprintf(["the drawn slope reaches %.3g at zoom %g, so that the drawn rod may cross itself:" ...
+                         " take a zoom of %.2g"], scene.zoom*slope, scene.zoom, 3/slope)};
   endif
 endfunction
 

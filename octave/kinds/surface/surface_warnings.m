@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{warnings} =} surface_warnings (@var{scene}, @var{history}, @var{strain})
 ## What is to be said of the motion of a rod on a surface (see @code{measure_surface}), a cellstr: where the surface
-## would have to pull the rod, or its tip mass, and a @var{strain} (a struct of limit and reached) that is too large.
+## would have to pull the rod, or its tip mass, and a @var{strain} (see @code{limit_warnings}) that is too large.
 ## @end deftypefn
 
 function warnings = surface_warnings (scene, history, strain)
@@ -20,10 +20,7 @@ function warnings = surface_warnings (scene, history, strain)
                                 " one side would lift off; surface.side = 0 has one that cannot"], -least, ...
                                history.t(k));
   endif
-  if (strain.reached > strain.limit)
-    warnings{end+1} = sprintf (["the axial strain reaches %.2g, linear elasticity holds for small ones: take a" ...
-                                " larger EA"], strain.reached);
-  endif
+  warnings = [warnings, limit_warnings(strain, "", "")];
 endfunction
 
 %!test # a sphere's inside turns a tip mass: m v^2/r, and its weight
@@ -44,7 +41,7 @@ endfunction
 %!test # when it would lift off, and by how much; strains beyond a twentieth
 %! scene = struct ("surface", struct ("side", 1), "tip_mass", 1, "gravity", 9.81);
 %! said = @(reaction, tip, strain) surface_warnings (scene, struct ("t", [0 1 2], "reaction", reaction, ...
-%!   "tip_reaction", tip), struct ("limit", 0.05, "reached", strain));
+%!   "tip_reaction", tip), struct ("what", "axial strain", "limit", 0.05, "reached", strain));
 %! assert (said ([1 1 1; 2 -1e-7 1], zeros (0, 3), 0.05), {});
 %! assert (said ([0 0 0], zeros (0, 3), 0.05), {});
 %! assert (! isempty (strfind (said ([1 1 1], [1 -3 2], 0){1}, "pull the tip mass, by up to 3 N at t = 1 s")));
