@@ -12,7 +12,7 @@ function [scene, kind, output, left] = study_scene (which, options, change = @(s
   start = tic ();
   [budget, options] = taken_option (options, "budget", 60, @(s) isscalar (s) && isreal (s) && s > 0, ...
                                     "seconds, a positive number");
-  left = @() budget - toc (start);
+  left = @() max (budget - toc (start), 0);
   [scene, kind, output] = checked_scene (which, options, change);
   if (numel (frame_times (scene)) < 2)
     scene_error ("duration is %g: a study takes more than one frame, at %g frames a second", scene.duration, ...
@@ -34,3 +34,5 @@ endfunction
 %! assert (left () > 50 && left () <= 60);
 %! [~, ~, ~, left] = study_scene (swing (), {"budget", 300, "output", tempdir()});
 %! assert (left () > 290 && left () <= 300);
+%! [~, ~, ~, left] = study_scene (swing (), {"budget", 1e-6, "output", tempdir()});
+%! assert (left (), 0);
