@@ -34,7 +34,7 @@ endfunction
 function [plane, kind] = exactly (scene, kind, name)
   solver = field_or (scene, "solver", []);
   asked = field_or (solver, "name", []);
-  of_another = isstruct (solver) && ischar (asked) && ! strcmp (kind.of_exact ().name, kind.name);
+  of_another = isstruct (solver) && ischar (asked) && ! strcmp (kind.of_exact (scene).name, kind.name);
   if (of_another)
     scene.solver.name = "auto";
   endif
@@ -46,7 +46,7 @@ function [plane, kind] = exactly (scene, kind, name)
   if (isempty (plane))
     scene_error ("exact: the geometrically exact rod lacks what the scene has: %s", lacks);
   endif
-  kind = kind.of_exact ();
+  kind = kind.of_exact (scene);
 endfunction
 
 ## a tolerance in metres is a promise; a model that is stated is meant, but that some bodies are rigid

@@ -5,7 +5,7 @@
 ## @end deftypefn
 
 function kinds = kind_table ()
-  kinds = [exact_arc_kind(), exact_kind(), surface_kind(), rod_kind(), curved_kind(), mechanism_kind()];
+  kinds = [exact_body_kind(), exact_kind(), surface_kind(), rod_kind(), curved_kind(), mechanism_kind()];
 endfunction
 
 %!test # a scene without any field is a rod's, so that what is missing gets its name

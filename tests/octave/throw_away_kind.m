@@ -11,7 +11,7 @@
 %!endfunction
 
 %!function check_with_row (command, files, check, few)   # check (folder, what command returns)
-%!  stand_ins = {"kinds = kind_table", "", "kinds = [string_kind(), exact_arc_kind(), exact_kind(), surface_kind(), rod_kind(), mechanism_kind()];"
+%!  stand_ins = {"kinds = kind_table", "", "kinds = [string_kind(), exact_body_kind(), exact_kind(), surface_kind(), rod_kind(), mechanism_kind()];"
 %!               "table = usable_methods", "table", ...
 %!               ["table = table(ismember ({table.name}, {\"" strjoin(few, "\", \"") "\"}));"]};
 %!  in_scratch (@(folder, scratch) with_stand_ins (stand_ins, @() look (command, folder, files, check)));

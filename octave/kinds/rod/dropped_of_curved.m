@@ -31,8 +31,8 @@ endfunction
 %!test # the exact rod is 4 mm elsewhere after 0.7 s, and the bound is above that
 %! [dropped, scene, run] = of_arc (0.7);
 %! far = struct ("x", run.x + dropped.x, "y", run.y + dropped.y);
-%! exact = exact_arc (setfield (scene, "solver", "tolerance", 1e-5));
-%! rod = run_model (exact_arc_kind (), exact, exact_arc_kind ().sized (exact, 14));
+%! exact = exact_body (setfield (scene, "solver", "tolerance", 1e-5));
+%! rod = run_model (exact_body_kind (), exact, exact_body_kind ().sized (exact, 14));
 %! assert (distance (far, rod) < 0.1*dropped.metres);
 %! assert (dropped.metres > 1e-3 && dropped.bound < 0.1*dropped.metres);
 %! bounded = dropped_of_curved (setfield (scene, "solver", "tolerance", 1), run, run);

@@ -17,7 +17,7 @@ function kind = exact_kind ()
   kind.columns = @exact_columns;
   kind.drawing = @exact_drawing;
   kind.turning = @steady_exact;
-  kind.of_exact = @exact_kind;
+  kind.of_exact = @(scene) exact_kind ();
 endfunction
 
 function turning = steady_exact (scene)
@@ -35,9 +35,7 @@ function run = observe_exact (scene, model, system, times, states)
   if (isempty (scene.rotation))
     [z, z_dot] = deal (states(1:system.n,:), states(system.n+1:2*system.n,:));
     tip = system.fields (times, z, z_dot, z_dot, scene.rod.length);
-    history.phi = unwrap (atan2 (tip.alpha2, tip.alpha1));
-    history.phi -= 2*pi*round ((history.phi(1) - scene.exact)/(2*pi));
-    history.phi_dot = (tip.alpha1.*tip.alpha2_dot - tip.alpha2.*tip.alpha1_dot)./(tip.alpha1.^2 + tip.alpha2.^2);
+    [history.phi, history.phi_dot] = line_to_tip (tip.alpha1, tip.alpha2, tip.alpha1_dot, tip.alpha2_dot, scene.exact);
   else
     turned = at_times (scene.rotation, times);
     [history.phi, history.phi_dot] = deal (turned(1,:), turned(2,:));

@@ -19,7 +19,7 @@ function kind = rod_kind ()
   kind.tighter = @(solver, off) setfield (solver, "tolerance", solver.tolerance*min (max (1e-7/off, 1e-3), 0.1));
   kind.dropped = @dropped_of_rod;
   kind.bound = @(scene, run) NaN;
-  kind.instead = @(scene) exact_or (exact_scene (scene));
+  kind.instead = @(scene) exact_or (exact_rod (scene));
   kind.foreseen = @spin_warning;
   kind.describe = @describe_rod;
   kind.limits = @(scene, run) rod_limits (scene, run.model, run.history);
@@ -28,13 +28,37 @@ function kind = rod_kind ()
   kind.drawing = @(scene, run) rod_drawing (scene, run.model, run.history);
   kind.spectrum = @tip_spectrum;
   kind.rungs = @rungs_around;
-  kind.exactly = @exact_scene;
-  kind.of_exact = @exact_kind;
+  kind.exactly = @exact_rod;
+  kind.of_exact = @of_exact_rod;
   kind.literal = @paper_sines;
   kind.sized = @(scene, n) build_model (scene, rung_of_scene (setfield (scene, "model", "modes", [n n])));
   kind.at_rest = [];
   kind.turning = @(scene) steady_rod (rod_kind (), scene);
   kind.reference = {"waveform", 1e-10};
+endfunction
+
+## on the plane, which has springs, forces and moments, or as a body, which has all joints
+function [exact, lacks] = exact_rod (scene)
+  if (is_on_plane (scene))
+    [exact, lacks] = exact_scene (scene);
+  else
+    [exact, lacks] = exact_body (scene);
+  endif
+endfunction
+
+function kind = of_exact_rod (scene)
+  kind = exact_body_kind ();
+  if (is_on_plane (scene))
+    kind = exact_kind ();
+  endif
+endfunction
+
+function yes = is_on_plane (scene)
+  joints = field_or (scene, "joints", {});
+  if (isstruct (joints))
+    joints = num2cell (joints);
+  endif
+  yes = all (cellfun (@(joint) any (strcmp (field_or (joint, "kind", ""), {"spring", "force", "moment"})), joints));
 endfunction
 
 function [rung, note] = stated_rung (scene)

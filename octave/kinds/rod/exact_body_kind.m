@@ -1,19 +1,20 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{kind} =} exact_arc_kind ()
-## The geometrically exact curved rod, among the kinds of scenes (see @code{kind_of}): the mechanism of one body that
-## @code{exact_arc} makes of a rod, with the columns and pictures of a rod; phi is the angle of the frame in which the
-## rod's points have no angular momentum about O, to the first order (see @code{curved_base}).
+## @deftypefn {} {@var{kind} =} exact_body_kind ()
+## The geometrically exact rod as a body, among the kinds of scenes (see @code{kind_of}): the mechanism of one body
+## that @code{exact_body} makes of a rod, with the columns and pictures of a rod.  phi of a curved one is the angle of
+## the frame in which its points have no angular momentum about O, to the first order (see @code{curved_base}), that of
+## a straight one the angle of the line from O to its tip.
 ## @end deftypefn
 
-function kind = exact_arc_kind ()
+function kind = exact_body_kind ()
   kind = mechanism_kind ();
-  kind.name = "exact arc";
+  kind.name = "exact body";
   kind.has = @(given) isfield (given, "exact") && isstruct (given.exact);
   kind.check = @refuse;
-  kind.of_exact = @exact_arc_kind;
+  kind.of_exact = @(scene) exact_body_kind ();
   kind.ladder = @ladder_of_polynomials;
-  kind.observe = @observe_arc;
-  kind.describe = @describe_arc;
+  kind.observe = @observe_body;
+  kind.describe = @describe_body;
   kind.columns = @(scene, run) rod_columns (scene.exact, run);
   kind.drawing = @(scene, run) rod_drawing (scene.exact, run.model.models{1}, run.history);
 endfunction
@@ -29,19 +30,28 @@ function ladder = ladder_of_polynomials (scene)
 endfunction
 
 ## with what a rod's history has (see measure)
-function run = observe_arc (scene, model, system, times, states)
+function run = observe_body (scene, model, system, times, states)
   run = mechanism_kind ().observe (scene, model, system, times, states);
   history = run.history;
   for name = {"phi", "phi_dot", "psi", "tip_psi", "V", "V_names", "tip_x", "tip_y", "mid_x", "mid_y"}
     history.(name{1}) = history.bodies.(name{1});
   endfor
+  if (isempty (scene.exact.rod.curvature))
+    [history.phi, history.phi_dot] = angle_of_tip (model.models{1}, named_rows (system, states), history.phi(1));
+  endif
   [history.reaction_x, history.reaction_y] = deal (history.joints(1).reaction_x, history.joints(1).reaction_y);
   history.torque = history.joint_points = [];
   run.history = history;
   [run.x, run.y] = body_centreline (model.models{1}, linspace (0, scene.exact.rod.length, 21), history.bodies, 1);
 endfunction
 
-function own = describe_arc (scene, run)
+function [phi, phi_dot] = angle_of_tip (rod, states, first)
+  motion = motion_of_rods (states.q, states.v);
+  [x, y, x_dot, y_dot] = rod.equations.point (motion, rod.equations.marker (rod, rod.length));
+  [phi, phi_dot] = line_to_tip (x, y, x_dot, y_dot, first);
+endfunction
+
+function own = describe_body (scene, run)
   own = describe_mechanism (scene, run);
   rung = run.model.models{1}.rung;
   own.model = sprintf ("geometrically exact, %d + %d polynomials", rung.longitudinal, rung.bending);
@@ -66,4 +76,4 @@ endfunction
 %! assert (mean_of (1), mean_of (2), 0.03*mean_of (2));
 %! assert ({panels{1}(1:2).label}, {panels{2}(1:2).label});
 %!error <exact is not a field of a scene> driver (setfield (arc_pendulum (), "exact", struct ()), "output", "")
-%!assert ({exact_arc_kind().of_exact().name, exact_kind().of_exact().name}, {"exact arc", "exact"})
+%!assert ({exact_body_kind().of_exact([]).name, exact_kind().of_exact([]).name}, {"exact body", "exact"})
