@@ -27,7 +27,7 @@ function table = scene_stability (scene = "paper", varargin)
   printf ("  highest frequency about the start: %.6g rad/s\n", mode.omega);
   found = [told(load_limits (given, varargin, left)), told(model_limits (kind, scene, model, choice.trial, left))];
   if (ismember ("constrained", whole.forms) && whole.constraint_count > 0)
-    found = [found, told(constraint_limits (whole, scene.solver.baumgarte))];
+    found = [found, told(constraint_limits (whole, scene.solver, min (scene.duration, 300/mode.omega)))];
   endif
   curves = {};
   exact = true_amplitudes (system, mode);
