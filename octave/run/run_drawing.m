@@ -2,17 +2,18 @@
 ## @deftypefn {} {@var{drawing} =} run_drawing (@var{kind}, @var{scene}, @var{run})
 ## What the pictures of a @var{run} show (see @code{draw_pictures}): the drawing of its @var{kind} and the spectrum.
 ## The panels of @file{history.svg} are from some 2000 times of the run, panel_time, where the frames' samples miss
-## what is between them: where a curve through every second frame is off from the others by more than a hundredth of
-## its range.  A run without states between its frames is integrated once more for that, and for the spectrum, by the
-## scene's own method there and by "auto" here; where the curves would take too long, a note says so.
+## what is between them: where a curve through the frames is off from states between them by more than a hundredth of
+## its range.  A run without states between its frames is integrated once more for that, and for the spectrum, by
+## "auto" here, and by the scene's own method where its curves are drawn; where that would take too long, a note says so.
 ## @end deftypefn
 
 function drawing = run_drawing (kind, scene, run)
   drawing = kind.drawing (scene, run);
-  if (numel (drawing.time) >= 5 && numel (drawing.time) < 2000 && ! are_smooth (drawing.panels, drawing.time))
+  by_auto = with_states_between (kind, scene, run, setfield (scene.solver, "name", "auto"));
+  if (numel (drawing.time) < 2000 && ! are_smooth (kind, scene, drawing, by_auto))
     [run, failure] = with_states_between (kind, scene, run, run.solver);
     if (isempty (failure))
-      dense = between_frames (kind, scene, run);
+      dense = between_frames (kind, scene, run, 1:max (1, round (numel (run.between.t)/2000)):numel (run.between.t));
       drawing.panels = kind.drawing (scene, dense).panels;
       drawing.panel_time = dense.history.t;
     else
@@ -20,8 +21,7 @@ function drawing = run_drawing (kind, scene, run)
                        {["the curves of history.svg miss what is between frames: " failure]}];
     endif
   endif
-  run = with_states_between (kind, scene, run, setfield (scene.solver, "name", "auto"));
-  drawing.spectrum = kind.spectrum (scene, run);
+  drawing.spectrum = kind.spectrum (scene, by_auto);
 endfunction
 
 function [run, failure] = with_states_between (kind, scene, run, solver)
@@ -37,22 +37,28 @@ function [run, failure] = with_states_between (kind, scene, run, solver)
   end_try_catch
 endfunction
 
-function dense = between_frames (kind, scene, run)
-  picked = 1:max (1, round (numel (run.between.t)/2000)):numel (run.between.t);
+function dense = between_frames (kind, scene, run, picked)
   system = started_system (kind, scene, run.model);
   dense = kind.observe (scene, run.model, system, run.between.t(picked), run.between.states(:,picked));
   dense.model = run.model;
 endfunction
 
-## What is a thousandth of other curves of its unit, as the energy balance is, may jump.
-function yes = are_smooth (panels, t)
+## What is a thousandth of other curves of its unit, as the energy balance is, may jump.  A run that cannot be looked at
+## between its frames is not smooth.
+function yes = are_smooth (kind, scene, drawing, run)
+  yes = numel (drawing.time) < 2;
+  if (yes || ! isfield (run, "between"))
+    return;
+  endif
+  picked = unique (ceil (numel (run.between.t)*mod ((1:60)*(sqrt (5) - 1)/2, 1)));  # in no rhythm of the frames
+  there = between_frames (kind, scene, run, picked);
+  panels = kind.drawing (scene, there).panels;
   yes = true;
-  between = 2:2:numel (t) - 1;
-  for panel = panels(:).'
-    alike = panels(strcmp ({panels.unit}, panel.unit));
-    ranges = range (panel.values, 2);
-    ranges = max (ranges, 1e-3*max (cellfun (@(values) max (range (values, 2)), {alike.values})));
-    off = abs (spline (t(1:2:end), panel.values(:,1:2:end), t(between)) - panel.values(:,between));
+  for k = 1:numel (drawing.panels)
+    alike = strcmp ({drawing.panels.unit}, drawing.panels(k).unit);
+    range_of = @(k) range ([drawing.panels(k).values, panels(k).values], 2);
+    ranges = max (range_of (k), 1e-3*max (arrayfun (@(k) max (range_of (k)), find (alike))));
+    off = abs (spline (drawing.time, drawing.panels(k).values, there.history.t) - panels(k).values);
     yes = yes && all ((off <= ranges/100)(:));
   endfor
 endfunction
@@ -87,14 +93,21 @@ endfunction
 %! drawing = run_drawing (slow, scene, run);
 %! assert (drawing.spectrum, []);
 %! assert (drawing.notes{end}, "the curves of history.svg miss what is between frames: given up after 10 s");
+%!test # what its frames see at the same phase each time, and what few frames pass over
+%! scene = setfield (setfield (swing (), "model", "modes", [0 0]), "duration", 20);
+%! period = 2*pi*sqrt (2*scene.rod.length/(3*9.81))*1.18;  # of a swing from the horizontal
+%! for rate = [1/period, 0.1]
+%!   seen = drawn (setfield (scene, "frames_per_second", rate));
+%!   assert (numel (seen.panel_time) > 500);
+%! endfor
 %!function spectrum = of_struck_rod (solver, duration)   # hinged, a mechanism, of one mode, whose curves look smooth
 %!  scene.bodies = {struct("rod", struct ("length", 1, "EA", 1e6, "EI", 100, "rhoA", 1), ...
 %!                         "initial", struct ("V2", 1e-3), "model", struct ("modes", [0 1]))};
 %!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
 %!  [scene.duration, scene.gravity, scene.solver] = deal (duration, 0, struct ("name", solver, "tolerance", 1e-4));
 %!  result = driver (scene, "output", "");
-%!  drawing = struct ("time", 1:5, "panels", new_panel ("smooth", "m", {"x"}, 1:5));
-%!  kind = setfield (mechanism_kind (), "drawing", @(scene, run) drawing);
+%!  drawing = @(t) struct ("time", t, "panels", new_panel ("smooth", "m", {"x"}, t));
+%!  kind = setfield (mechanism_kind (), "drawing", @(scene, run) drawing (run.history.t));
 %!  spectrum = run_drawing (kind, result.scene, result).spectrum;
 %!endfunction
 %!test # a mechanism has a spectrum by whatever method

@@ -6,12 +6,17 @@
 ## them, the @var{frequencies} (1-by-n, Hz) predicted.
 ##
 ## What lies beyond half the rate is not folded back: of the @var{modes} (of q, or of q and phi, normalised with the
-## @var{mass}), those that are too fast are left out, and the note says so.  The window is Hann's; a harmonic
-## oscillation at one of the frequencies has its amplitude there.
+## @var{mass}), those that are too fast are left out, and the note says so; empty where all that bends is, which has
+## then only what follows slowly.  The window is Hann's; a harmonic oscillation at one of the frequencies has its
+## amplitude there.
 ## @end deftypefn
 
 function spectrum = spectrum_of_tip (model, motion, step, modes, frequencies, mass)
+  spectrum = [];
   highest = 1/(2*step);
+  if (! any (frequencies < highest & frequencies > 1e-6*max (frequencies)))
+    return;
+  endif
   slow = modes(:,frequencies < highest);
   spectrum = tip_spectra (deflection_of (model, motion, slow*(slow.'*mass)), step, frequencies);
 endfunction
@@ -45,3 +50,4 @@ endfunction
 %! away = abs (spectrum.frequency - 64) > 10 & spectrum.frequency > 10;  # the line through all is left out
 %! assert (spectrum.values(2,away) < 1e-4*largest);
 %! assert (spectrum.note, "sampled at 4.096 kHz; 1 predicted ones lie beyond 2.048 kHz");
+%! assert (spectrum_of_tip (model, motion, 1/4096, eye (2), [2100 3000], eye (2)), []);

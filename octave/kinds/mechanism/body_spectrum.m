@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{spectrum} =} body_spectrum (@var{scene}, @var{run})
 ## The spectra of the tip (see @code{spectrum_of_tip}) of that body of a mechanism's @var{run} whose coordinates are
 ## the largest, from the states between its frames (see @code{run_model}), without predicted frequencies: they are of
-## the mechanism.  Modes of the rod in its frame are left out where they are too fast.  Empty without such states, or
-## where all bodies are rigid.
+## the mechanism.  Modes of the rod in its frame are left out where they are too fast.  Empty without such states,
+## where all bodies are rigid, or all modes too fast.
 ## @end deftypefn
 
 function spectrum = body_spectrum (scene, run)
@@ -19,6 +19,9 @@ function spectrum = body_spectrum (scene, run)
   [modes, squares] = free_modes (model.arrays.stiffness_matrix, mass);
   spectrum = spectrum_of_tip (model, struct ("q", q, "phi", zeros (1, columns (q))), diff (run.between.t)(1), modes, ...
                               sqrt (max (0, squares)).'/(2*pi), mass);
+  if (isempty (spectrum))
+    return;
+  endif
   spectrum.label = ["spectra of the tip of " scene.bodies(k).name];
   spectrum.predicted = [];
   spectrum.note = strrep (spectrum.note, "predicted ones", "modes of the rod");
