@@ -1,11 +1,13 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{balance} =} balance_near (@var{kind}, @var{scene}, @var{model}, @var{coarse})
 ## The balance of forces of a checked scene's @var{model} (see @code{kind_of}), which starts at an equilibrium of a
-## @var{coarse} one (a struct of balance and q; [] for none) where that one's functions are among its own.
+## @var{coarse} one (a struct of balance and q; [] for none) where that one's functions are among its own; placed is
+## where the scene places it.
 ## @end deftypefn
 
 function balance = balance_near (kind, scene, model, coarse)
   balance = kind.at_rest (scene, model);
+  balance.placed = balance.start;
   if (! isempty (coarse))
     balance.start = balance.interpolation \ (coarse.balance.interpolation*coarse.q);
   endif
@@ -21,3 +23,4 @@ endfunction
 %! fine = balance_near (kind, scene, kind.sized (scene, 6), coarse);
 %! assert (fine.shape (fine.start){1}, coarse.balance.shape (coarse.q){1}, 1e-12);
 %! assert (range (fine.shape (fine.start){1}(:,1)), 2.1, 1e-12);
+%! assert (fine.placed, zeros (12, 1));

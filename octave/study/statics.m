@@ -96,7 +96,7 @@ function describe (found, time)
 endfunction
 
 function panel = panel_of (found)
-  panel = struct ("title", "start (grey) and equilibrium", "faint", {found.balance.shape(found.balance.start)}, ...
+  panel = struct ("title", "start (grey) and equilibrium", "faint", {found.balance.shape(found.balance.placed)}, ...
                   "strong", {found.shape});
 endfunction
 
