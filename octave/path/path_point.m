@@ -2,7 +2,8 @@
 ## @deftypefn {} {[@var{point}, @var{sweeps}] =} path_point (@var{path}, @var{x}, @var{lambda}, @var{normal})
 ## The equilibrium of a @var{path} (see @code{load_path}) on the plane through @var{x} = [q; factor] (n+1-by-1) across
 ## @var{normal} (n+1-by-1), by Newton's iteration from there and the multipliers @var{lambda}, in so many @var{sweeps};
-## empty where it does not converge.
+## empty where it does not converge, or where the mass is not positive, as that of rods with foreshortening that bend
+## too far is not.
 ##
 ## @var{point} is a struct of x, lambda, linear (see @code{held_tangent}), load (n-by-1, the forces' derivative by the
 ## factor), squares (1/s^2, ascending: of the frequency of each undamped vibration, minus that of the rate with which
@@ -27,6 +28,10 @@ function [point, sweeps] = path_point (path, x, lambda, normal)
     if (has_come (moved))
       if (sweeps == 1)  # what is straight stays where it is, but bears more
         linear = held_tangent (balance, x(end), x(1:n), lambda);
+      endif
+      [~, indefinite] = chol ((linear.M + linear.M.')/2);
+      if (indefinite)
+        break;
       endif
       point = judged (path, struct ("x", x, "lambda", lambda, "linear", linear, "load", load, "tangent", [], ...
                                     "bend", 0, "event", "", "turns", []));
@@ -87,3 +92,7 @@ endfunction
 %! assert (point.x([1 4]), [-pi/4; 9.81/2], 1e-10);
 %!test # nothing is balanced above a moment of 1 N m more than the weight has
 %! assert (path_point (pulled_pendulum ("moment"), [0; 0; 0; 9.81/2 + 1], zeros (2, 1), [0; 0; 0; 1]), []);
+%!test # nor where motions would have no inertia
+%! path = pulled_pendulum ();
+%! path.balance.mass = @(q) -eye (3);
+%! assert (path_point (path, [-pi/2; 0; 0; 2], zeros (2, 1), [0; 0; 0; 1]), []);
