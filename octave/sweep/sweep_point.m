@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} sweep_point (@var{scene}, @var{option}, @var{value}, @dots{})
-## Run one point of a sweep, that of the option "at", and leave what "observe" asks for: options as for @code{sweep},
-## and "point", the key by which the folder "output" then has it, a file of these names with the ending
+## Run one point of a sweep, that of the option "at", without it the scene as it is, and leave what "observe" asks for:
+## options as for @code{sweep}, and "point", the key by which the folder "output" then has it, a file of these names
+## with the ending
 ##
 ## @table @code
 ## @item row
@@ -42,8 +43,8 @@ endfunction
 
 ## the observed values, a text each, of a run that leaves its files in a place
 function lines = observe_run (which, settings, options, items, place)
-  [columns, values] = sweep_table (settings);
-  [scene, output] = scene_at (which, options, columns, values(1,:));
+  [columns, values] = stated_point (settings);
+  [scene, output] = scene_at (which, options, columns, values);
   tables = verb_tables (scene, {items.part});
   [names, table] = deal ({}, []);
   if (! isempty (place) || ! all (ismember ({items.part}, {"modes", "statics"})))
@@ -69,11 +70,9 @@ endfunction
 
 ## what to type for the same run, wherever its files go
 function command = typed (which, settings, options)
-  command = "";
-  if (! isempty (settings.at))
-    options = [without_options(options, {"output", "pictures"}), {"at", settings.at, "observe", settings.observe}];
-    command = repeat_command (nthargout (3, @find_scene, which), options, "make point");
-  endif
+  at = {"at", settings.at}(1:2*! isempty (settings.at));
+  options = [without_options(options, {"output", "pictures"}), at, {"observe", settings.observe}];
+  command = repeat_command (nthargout (3, @find_scene, which), options, "make point");
 endfunction
 
 function text = text_of (value)
@@ -117,6 +116,9 @@ endfunction
 %!test # without a key a person sees the values
 %! said = evalc ("sweep_point ('swing', 'at', 'duration=0.1', 'modes', [0 0], 'observe', 'last t, model');");
 %! assert (strsplit (strtrim (said), "\n"){end}, "rigid");
+%!test # without AT it is the scene as it is
+%! said = evalc ("sweep_point ('swing', 'modes', [0 0], 'observe', 'last t');");
+%! assert (str2double (strsplit (strtrim (said), "\n"){end}), swing ().duration);
 %!test # of modes and equilibrium, without a run
 %! said = evalc ("sweep_point ('swing', 'at', 'rod.length=0.5', 'observe', 'modes.f(1), statics.tip_y');");
 %! found = str2double (strsplit (strtrim (said), "\n")(end-1:end));

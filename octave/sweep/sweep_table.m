@@ -5,8 +5,8 @@
 ## @end deftypefn
 
 function [columns, values] = sweep_table (settings)
-  makers = {"vary", @() combined(settings); "zip", @() side_by_side(settings.zip, "ZIP")
-            "over", @() read_points(user_path (settings.over)); "at", @() side_by_side(settings.at, "AT")
+  makers = {"vary", @() combined(settings); "zip", @() side_by_side(settings.zip)
+            "over", @() read_points(user_path (settings.over)); "at", @() one_point(settings.at)
             "table", @() of_cells(settings.table)};
   asked = cellfun (@(name) ! isempty (settings.(name)), makers(:,1));
   if (sum (asked) != 1)
@@ -44,16 +44,27 @@ function values = every_combination (lists)
   endfor
 endfunction
 
-function [columns, values] = side_by_side (text, where)
-  [columns, lists] = read_vary (text, where);
-  refuse_ranges (columns, cellfun (@(list) isstruct (list{1}), lists), where);
+function [columns, values] = side_by_side (text)
+  [columns, lists] = read_vary (text, "ZIP");
+  refuse_ranges (columns, cellfun (@(list) isstruct (list{1}), lists), "ZIP");
   counts = cellfun (@numel, lists);
   odd = find (counts != counts(1), 1);
   if (! isempty (odd))
-    scene_error ("%s: %s has %d values and %s has %d: side by side they are as many", where, columns{1}, counts(1), ...
+    scene_error ("ZIP: %s has %d values and %s has %d: side by side they are as many", columns{1}, counts(1), ...
                  columns{odd}, counts(odd));
   endif
   values = vertcat (lists{:}).';
+endfunction
+
+function [columns, values] = one_point (text)
+  [columns, lists] = read_vary (text, "AT");
+  refuse_ranges (columns, cellfun (@(list) isstruct (list{1}), lists), "AT");
+  counts = cellfun (@numel, lists);
+  if (any (counts != 1))
+    k = find (counts != 1, 1);
+    scene_error ("AT: %s has %d values: one point takes one of each field", columns{k}, counts(k));
+  endif
+  values = [lists{:}];
 endfunction
 
 ## numbers and texts pass through what a table in a file may hold
@@ -105,5 +116,7 @@ endfunction
 %!error <RANDOM takes its ranges from VARY> table ("zip", "a=1", "random", 3)
 %!error <VARY: RANDOM takes a range, b=0.2..1 say> table ("vary", "a=0..1; b=3", "random", 3)
 %!error <VARY: a is a range, which takes RANDOM=200> table ("vary", "a=0..1")
+%!error <AT: b has 2 values: one point takes one of each field> table ("at", "a=1; b=2,3")
+%!error <AT: a is a range> table ("at", "a=0..1")
 %!error <ZIP: a has 2 values and c has 1> table ("zip", "a=1,2; b=1,2; c=3")
 %!error <VARY: 1.001e\+08 combinations are more> table ("vary", "a=0:1:1000; b=1:1:1e5")
