@@ -11,12 +11,9 @@ function keys = point_keys (about, columns, values)
   for k = 1:rows (values)
     keys{k} = hash ("sha256", [about "\n" point_words(columns, values(k,:))])(1:16);
   endfor
-  [~, first] = unique (keys, "first");
-  twice = setdiff (1:numel (keys), first);
-  if (! isempty (twice))
-    k = twice(1);
-    scene_error ("points %d and %d are the same: %s", find (strcmp (keys, keys{k}), 1), k, ...
-                 point_words (columns, values(k,:)));
+  [again, before] = first_repeated (keys);
+  if (! isempty (again))
+    scene_error ("points %d and %d are the same: %s", before, again, point_words (columns, values(again,:)));
   endif
 endfunction
 

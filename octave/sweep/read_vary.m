@@ -20,7 +20,7 @@ function [columns, lists] = read_vary (text, where)
 endfunction
 
 function values = values_of (text, where)
-  cells = ostrsplit (text, ",");
+  cells = ostrsplit ([text " "], ",");  # of "" it makes none
   values = {};
   for k = 1:numel (cells)
     steps = strsplit (cells{k}, ":");
@@ -68,6 +68,7 @@ endfunction
 %!error <VARY is "": it takes name=values> read_vary ("", "VARY")
 %!error <VARY is "rod.length": it takes name=values> read_vary ("rod.length", "VARY")
 %!error <VARY: a is blank> read_vary ("a=1,,2", "VARY")
+%!error <VARY: a is blank> read_vary ("a=", "VARY")
 %!error <VARY: a is "2\*pi": it takes a number> read_vary ("a=2*pi", "VARY")
 %!error <VARY: a: 0:-1:1 are no steps> read_vary ("a=0:-1:1", "VARY")
 %!error <VARY: a: 0:0:1 are no steps> read_vary ("a=0:0:1", "VARY")
