@@ -18,7 +18,7 @@ run_octave = $(OCTAVE) --norc --no-gui --no-history --quiet
 derive_everything = maxima/derive "$$GENERATED" "$(MODES_LITERAL)"
 derive_surface = maxima/derive_surface "$${OUTPUT:-output/surfaces}" "$$SURFACE"
 run_with_settings = settings = sweep_settings (); run_command
-draw_or_follow = $(if $(FUNCTION),argument_way (getenv ("FUNCTION"), getenv ("ARGUMENT")),draw_map ())
+draw_or_follow = $(if $(FUNCTION)$(ARGUMENT),argument_way (getenv ("FUNCTION"), getenv ("ARGUMENT")),draw_map ())
 
 .PHONY: help setup derive equations simulate models chart stability statics modes campbell response sweep point choices \
 	conditioning check check-slurm check-ssh map systems pairs mutants fuzz clean dist

@@ -11,11 +11,11 @@ function argument_way (name, argument)
   calls(strcmp ({calls.name}, "driver")) = [];
   found = calls(strcmp (regexprep ({calls.called}, '.*/|\.m$', ""), name) & strcmp ({calls.name}, name));
   if (isempty (found))
-    error ("nothing in octave/ calls a function \"%s\"", name);
+    scene_error ("nothing in octave/ calls a function \"%s\"", name);
   endif
   inputs = function_of (found(1).called, name);
   if (! any (strcmp (inputs, argument)))
-    error ("%s takes %s: \"%s\" is none of these", name, strjoin (inputs, ", "), argument);
+    scene_error ("%s takes %s: \"%s\" is none of these", name, strjoin (inputs, ", "), argument);
   endif
   for call = found.'
     follow (call, argument, calls, calls_from_driver (calls));
@@ -90,3 +90,5 @@ endfunction
 %! assert (any (strncmp (strtrim (said), "octave/driver.m:", 16)));
 %!error <stays takes q, scale, tolerance: "x" is none of these> argument_way ("stays", "x")
 %!error <nothing in octave/ calls a function "nowhere"> argument_way ("nowhere", "x")
+%!error id=toolchain:scene argument_way ("nowhere", "x")  # one line
+%!error id=toolchain:scene argument_way ("stays", "")
