@@ -31,6 +31,9 @@ function value = number_or_text (text)
   range = str2double (strsplit (text, ":"));
   if (numel (range) == 3 && all (isfinite (range)))
     value = range(1):range(2):range(3)*(1 + eps);
+    if (isempty (value))
+      value = text;  # no numbers: what takes the option says so
+    endif
     return;
   endif
   if (any (strcmpi (text, {"yes", "no"})))
@@ -59,6 +62,9 @@ endfunction
 %!   assert (any (strcmp (environment_options (), "keep")), false);
 %!   setenv ("SPEEDS", "0:0.1:0.3");
 %!   assert (environment_options (){end}, 0:0.1:0.3, 1e-15);
+%!   for none = {"5:1:0", "0:0.1:-1", "0:0:0"}
+%!     setenv ("SPEEDS", none{1}); assert (environment_options (){end}, none{1});  # is not left out
+%!   endfor
 %!   setenv ("SPEEDS", ""); setenv ("MODES", "7a");  # no number that begins well
 %!   assert (environment_options ()(2:3), {"modes", "7a"});
 %! unwind_protect_cleanup
