@@ -34,7 +34,7 @@ function [value, fault] = value_at (load, t)
   try
     value = load.at (t);
   catch err
-    fault = sprintf ("fails at t = %.9g: %s", t, err.message);
+    fault = sprintf ("fails at t = %.9g: %s", t, placed_message (err));
     return;
   end_try_catch
   if (! (isnumeric (value) && isreal (value) && numel (value) == load.numbers && all (isfinite (value(:)))))
@@ -66,7 +66,8 @@ function refuse_vectors (load, times)
   try
     values = load.at (times);
   catch err
-    scene_error ("%s fails at t = [%s]: %s: it takes %s", load.name, num2str (times), err.message, load.takes);
+    scene_error ("%s fails at t = [%s]: %s: it takes %s", load.name, num2str (times), placed_message (err), ...
+                 load.takes);
   end_try_catch
   scene_error ("%s gives %s at t = [%s]: it takes %s", load.name, text_of (values), num2str (times), load.takes);
 endfunction

@@ -16,7 +16,7 @@ function kappa = curvature_at (rod, xi)
   try
     kappa = rod.curvature (xi);
   catch err
-    scene_error ("rod.curvature fails: %s", err.message);
+    scene_error ("rod.curvature fails: %s", placed_message (err));
   end_try_catch
   if (! (isnumeric (kappa) && isreal (kappa) && isequal (size (kappa), size (xi)) && all (isfinite (kappa(:)))))
     scene_error (["rod.curvature gives %d values for %d stations or no numbers: it takes a vectorised function" ...

@@ -37,7 +37,7 @@ function scene = evaluate (file, numbers)
     if (! is_called_by (name, file))
       name = copy_aside (file, aside);
     endif
-    scene = feval (name, numbers{:});
+    scene = called_scene (name, numbers, file);
   unwind_protect_cleanup
     path (before);
     if (isfolder (aside))

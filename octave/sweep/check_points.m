@@ -49,7 +49,7 @@ endfunction
 %!                "options", {{}}, "done", [false false false]);
 %! refused = in_scratch (@(folder, scratch) check_points (write_indexed (folder), plan));
 %! assert (refused([1 3]), {"", "no rod 4"});
-%! assert (strncmp (refused{2}, "an error in indexed, line 6: index (3): out of bound", 52));
+%! assert (strncmp (refused{2}, "indexed.m, line 6: index (3): out of bound", 42));
 %!test # none that can be run
 %! plan = struct ("keys", {{"a"}}, "columns", {{"rod.lenght"}}, "values", {{1}}, "options", {{}}, "done", false);
 %! fail ("check_points ('swing', plan)", "no point can be run: point 1, rod.lenght=1: rod.lenght is not a field of a");

@@ -56,7 +56,7 @@ function alpha = values_of (f, name, m, varargin)
   try
     alpha = f (varargin{:});
   catch err
-    scene_error ("%s fails: %s", name, err.message);
+    scene_error ("%s fails: %s", name, placed_message (err));
   end_try_catch
   if (! (isnumeric (alpha) && isreal (alpha) && isequal (size (alpha), [2, m]) && all (isfinite (alpha(:)))))
     scene_error ("%s gives a %s %s: it takes a finite number for each coordinate and xi, 2-by-%d", name, ...
