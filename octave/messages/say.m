@@ -32,3 +32,8 @@ endfunction
 %!test # what the progress has left on the line goes first
 %! stand_in = {"show_progress", "text", "printf (\"<%s>\", text);"};
 %! assert (evalc ("with_stand_ins (stand_in, @() say ('%d rods', 3));"), "<>3 rods\n");
+%!test # so do all studies: QUIET=1 leaves none of their tables
+%! folder = fileparts (which ("statics"));
+%! texts = cellfun (@fileread, glob (fullfile (folder, "*.m")), "uniformoutput", false);
+%! printed = regexp (strjoin (texts, "\n"), '^ *f?(?:printf|puts|disp) \((?!stderr)', "match", "lineanchors");
+%! assert (printed, cell (1, 0));

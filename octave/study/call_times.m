@@ -19,7 +19,7 @@ function seconds = call_times ()
   if (nargout > 0)
     seconds = times;
   else
-    printf ("general %.3g s, literal %.3g s a call: %.0f times faster\n", times, times(2)/times(1));
+    say ("general %.3g s, literal %.3g s a call: %.0f times faster", times, times(2)/times(1));
   endif
 endfunction
 

@@ -23,8 +23,8 @@ function found = campbell (scene = "spin_up", varargin)
   endif
   result = followed_branches (turning.about, speeds, 6);
   for k = 1:numel (speeds)
-    printf ("  %10.5g rad/s: %s Hz, MAC at least %.3f\n", speeds(k), sprintf ("%11.7g", result.f(:,k)), ...
-            min (result.mac(:,k)));
+    say ("  %10.5g rad/s: %s Hz, MAC at least %.3f", speeds(k), sprintf ("%11.7g", result.f(:,k)), ...
+         min (result.mac(:,k)));
   endfor
   if (any (result.growth(:) > 0))
     say ("warning: from %.4g rad/s on the rod is unstable", speeds(find (any (result.growth > 0, 1), 1)));

@@ -9,7 +9,7 @@
 function table = conditioning (folder = "output", degrees = [1 30 90 180 300], sizes = [1 2 4 8 16 32])
   require_folder (folder);
   found = zeros (0, 4);
-  printf ("%8s %4s %12s %12s\n", "degrees", "N", "Tisserand's", "tangent's");
+  say ("%8s %4s %12s %12s", "degrees", "N", "Tisserand's", "tangent's");
   for angle = degrees
     rod = struct ("length", 1, "curvature", deg2rad (angle), "EA", 1e6, "EI", 10, "rhoA", 1);
     scene = check_scene (struct ("rod", rod, "duration", 1));
@@ -18,7 +18,7 @@ function table = conditioning (folder = "output", degrees = [1 30 90 180 300], s
       [base, arrays] = curved_base (base_functions (1:N, 1:N, 1), scene.rod, section, "uniaxial");
       as_they_are = curved_arrays (rmfield (base, "turned"), base.axis, section, []);
       found(end+1,:) = [angle, N, condition(arrays), condition(as_they_are)];
-      printf ("%8g %4d %12.3g %12.3g\n", found(end,:));
+      say ("%8g %4d %12.3g %12.3g", found(end,:));
     endfor
   endfor
   heads = {"degrees", "N", "Tisserand's frame", "tangent's frame"};

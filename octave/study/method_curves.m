@@ -42,8 +42,8 @@ function report (row)
   if (row.part < 1)
     note = [sprintf("(of %.2g %% of the duration) ", 100*row.part), note];
   endif
-  printf ("  %-18s %-7.2g %8.2g m, %8.2f s, %9d calls %s\n", row.method, row.parameter, row.error_m, row.seconds, ...
-          row.calls, note);
+  say ("  %-18s %-7.2g %8.2g m, %8.2f s, %9d calls %s", row.method, row.parameter, row.error_m, row.seconds, ...
+       row.calls, note);
   fflush (stdout);
 endfunction
 

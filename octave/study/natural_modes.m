@@ -63,8 +63,8 @@ function print_rows (rows, found)
     say ("  of %d base functions of each sort", found.functions);
   endif
   for row = rows
-    printf ("  %3d %14.8g Hz %14.8g rad/s  damping ratio %-8.3g %s\n", row.mode, row.f, row.omega, row.damping, ...
-            kind_text (row));
+    say ("  %3d %14.8g Hz %14.8g rad/s  damping ratio %-8.3g %s", row.mode, row.f, row.omega, row.damping, ...
+         kind_text (row));
   endfor
 endfunction
 

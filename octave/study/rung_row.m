@@ -13,8 +13,8 @@ function row = rung_row (ladder, rung, count, error_m, chosen)
   if (row.chosen)
     mark = " <-";
   endif
-  printf ("  %-62s %-11s %8.2g m %8.2f s %8d calls%s\n", row.model, row.method, row.error_m, row.seconds, ...
-          row.calls, mark);
+  say ("  %-62s %-11s %8.2g m %8.2f s %8d calls%s", row.model, row.method, row.error_m, row.seconds, ...
+       row.calls, mark);
   fflush (stdout);
 endfunction
 

@@ -24,7 +24,7 @@ function table = scene_stability (scene = "paper", varargin)
   if (mode.omega == 0)
     scene_error ("nothing oscillates: stability takes a model that bends, MODES=\"0 2\" say");
   endif
-  printf ("  highest frequency about the start: %.6g rad/s\n", mode.omega);
+  say ("  highest frequency about the start: %.6g rad/s", mode.omega);
   found = [told(load_limits (given, varargin, left)), told(model_limits (kind, scene, model, choice.trial, left))];
   if (ismember ("constrained", whole.forms) && whole.constraint_count > 0)
     found = [found, told(constraint_limits (whole, scene.solver, min (scene.duration, 300/mode.omega)))];
@@ -86,7 +86,7 @@ endfunction
 
 function rows = told (rows)
   for row = rows
-    printf ("  %-20s %-58s %12.6g %12.6g\n", row.method, row.what, row.predicted, row.measured);
+    say ("  %-20s %-58s %12.6g %12.6g", row.method, row.what, row.predicted, row.measured);
   endfor
 endfunction
 

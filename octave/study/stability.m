@@ -89,7 +89,7 @@ endfunction
 
 function table = add (table, method, what, predicted, measured)
   table = [table, struct("method", method, "what", what, "predicted", predicted, "measured", measured)];
-  printf ("  %-20s %-60s %10.6g %10.6g\n", method, what, predicted, measured);
+  say ("  %-20s %-60s %10.6g %10.6g", method, what, predicted, measured);
   fflush (stdout);
 endfunction
 

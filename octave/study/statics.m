@@ -87,11 +87,11 @@ function describe (found, time)
     say ("  stable: the slowest vibration about it has %.6g Hz", found.slowest/(2*pi));
   endif
   for k = 1:numel (found.shape)
-    printf ("  %s: tip at (%s) m\n", found.balance.names{k}, strjoin (cellfun (
-            @(x) sprintf ("%.9g", x), num2cell (found.shape{k}(end,:)), "uniformoutput", false), ", "));
+    say ("  %s: tip at (%s) m", found.balance.names{k}, strjoin (cellfun (
+         @(x) sprintf ("%.9g", x), num2cell (found.shape{k}(end,:)), "uniformoutput", false), ", "));
   endfor
   for row = found.supports.'
-    printf ("  %s: %.9g\n", row{1}, row{2} + 0);  # no -0
+    say ("  %s: %.9g", row{1}, row{2} + 0);  # no -0
   endfor
 endfunction
 

@@ -7,7 +7,7 @@
 function table = usable_methods (table)
   missing = cellfun (@lacks_sundials, {table.name});
   if (any (missing))
-    printf ("  %s left out: this Octave was built without SUNDIALS\n", strjoin ({table(missing).name}, ", "));
+    say ("  %s left out: this Octave was built without SUNDIALS", strjoin ({table(missing).name}, ", "));
   endif
   table = table(! missing);
 endfunction

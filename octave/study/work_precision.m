@@ -20,8 +20,8 @@ function table = work_precision (scene = "paper", varargin)
   model = kind.build (scene, rung);
   system = started_system (kind, scene, model);
   reference = reference_run (kind, scene, model, min (budget/5, left ()/3));
-  printf ("  reference: %s at %g m, within %.1g m of a hundred times that\n", reference.name, reference.tolerance, ...
-          reference.off);
+  say ("  reference: %s at %g m, within %.1g m of a hundred times that", reference.name, reference.tolerance, ...
+       reference.off);
   rungs = struct ([]);
   if (! isempty (choice))
     estimate = estimate_error (kind, scene, choice.trial, choice.reference);

@@ -26,7 +26,7 @@ function [run, converged] = exact_runs (kind, scene, seconds, near = @(run) scen
       run.off = distance (run, fewer);
       converged = run.off <= near (run);
       fewer = run;
-      printf ("  the exact rod with %d polynomials, and one with fewer: %.2g m apart\n", n, run.off);
+      say ("  the exact rod with %d polynomials, and one with fewer: %.2g m apart", n, run.off);
       if (converged)
         break;
       endif
@@ -34,7 +34,7 @@ function [run, converged] = exact_runs (kind, scene, seconds, near = @(run) scen
   catch err
     rethrow_others (err, "toolchain:integration", "toolchain:scene");
     if (isempty (run))
-      printf ("  the exact rod is no reference: %s\n", strtrim (err.message));
+      say ("  the exact rod is no reference: %s", strtrim (err.message));
     endif
   end_try_catch
 endfunction
