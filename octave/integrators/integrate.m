@@ -31,7 +31,7 @@ function [states, count] = integrate (system, times, solver)
   clock = tic ();
   calls = shown = 0;
   watched = on_terminal ();
-  told = isfinite (limit);  # then it is known how long, at most
+  told = [Inf, 0](1:2*isfinite (limit));  # nothing more where it is known how long, at most
   system.calls = @calls_so_far;
   [times, ends] = meet_breaks (times, system.breaks);
   y = system.initial_state;
