@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} prepare_output (@var{output}, @var{scene})
 ## What is to be known before the work of a run of the @var{scene}: whether the folder of @var{output} (see
-## @code{take_options}) can be written, which is an error where it cannot, and what many pictures will cost.
+## @code{take_options}) can be written and a dense table is not too long, errors where not, and what many pictures will
+## cost.
 ## @end deftypefn
 
 function prepare_output (output, scene)
@@ -9,6 +10,10 @@ function prepare_output (output, scene)
     return;
   endif
   require_folder (output.folder);
+  if (scene.duration*output.dense > 1e6)  # [] is not
+    scene_error ("dense is %g: it makes %.3g rows in the duration of %g s, at most 1e6 of them are written", ...
+                 output.dense, scene.duration*output.dense, scene.duration);
+  endif
   frames = numel (frame_times (scene));
   [seconds, bytes] = picture_cost (frames, scene.frame_size);
   if (output.pictures && seconds > 60)
@@ -32,7 +37,7 @@ endfunction
 %! prepare_output (struct ("folder", "", "pictures", true), struct ());
 %!test # what an hour of pictures costs is said, and how to have fewer; less, or none, goes without saying
 %! [folder, gone] = scratch_folder ();
-%! output = struct ("folder", folder, "pictures", true);
+%! output = struct ("folder", folder, "pictures", true, "dense", []);
 %! scene = struct ("duration", 3600, "frames_per_second", 50, "frame_size", [1280 720]);
 %! said = evalc ("prepare_output (output, scene);");
 %! expected = ["^180001 pictures will take some .* and 17 GB, after the numbers are written:" ...
@@ -48,3 +53,9 @@ endfunction
 %! endfor
 %! assert (evalc ("prepare_output (setfield (output, 'pictures', false), scene);"), "");
 %! assert (evalc ("prepare_output (output, setfield (scene, 'duration', 2));"), "");
+%!test # a table that would be too long is refused before the run
+%! [folder, gone] = scratch_folder ();
+%! output = struct ("folder", folder, "pictures", false, "dense", 1e12);
+%! scene = struct ("duration", 0.3, "frames_per_second", 50, "frame_size", [1280 720]);
+%! fail ("prepare_output (output, scene)", "dense is 1e\\+12: it makes 3e\\+11 rows in the duration of 0.3 s, at");
+%! prepare_output (setfield (output, "dense", 3e6), scene);
