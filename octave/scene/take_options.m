@@ -16,7 +16,9 @@ function [scene, output] = take_options (scene, folder, options)
                    "tolerance", {{"solver", "tolerance"}}, "size", {{"frame_size"}}, "pieces", {{"pieces"}});
   for pair = reshape (options, 2, [])
     [name, value] = pair{:};
-    if (strcmp (name, "output") && ischar (value))
+    if (any (strcmp (name, {"output", "command"})) && ! ischar (value))
+      scene_error ("%s is %s: it takes a text", name, disp_name (value));
+    elseif (strcmp (name, "output"))
       output.folder = user_path (value);
     elseif (strcmp (name, "exact") && strcmp (value, "auto"))
       output.exact = "auto";
@@ -30,13 +32,13 @@ function [scene, output] = take_options (scene, folder, options)
         scene_error ("dense is %s: it takes a positive number, of times a second", disp_name (value));
       endif
       output.dense = value;
-    elseif (strcmp (name, "command") && ischar (value))
+    elseif (strcmp (name, "command"))
       output.command = value;
     elseif (ischar (name) && isfield (fields, name))
       scene = setfield (scene, fields.(name){:}, value);
     else
-      scene_error ("\"%s\" is not an option: those are %s, output, pictures, dense, exact, command", ...
-                   disp_name (name), strjoin (fieldnames (fields).', ", "));
+      scene_error (["\"%s\" is not an option: those are %s, output, pictures, dense, exact, command, and of each" ...
+                    " study what `make help' says"], disp_name (name), strjoin (fieldnames (fields).', ", "));
     endif
   endfor
   if (isequal (output.exact, true) && any (cellfun (@(name) isequal (name, "modes"), options(1:2:end))) ...
@@ -63,6 +65,10 @@ endfunction
 %!error <dense is -1: it takes a positive number, of times a second> take_options (struct (), "", {"dense", -1});
 %!error <exact is 3: it takes true or false, EXACT=yes or no> take_options (struct (), "", {"exact", 3});
 %!assert (nthargout (2, @take_options, struct (), "", {"exact", "auto"}).exact, "auto")
+%!error <output is 3: it takes a text> take_options (struct (), "", {"output", 3});
+%!error <command is 3: it takes a text> take_options (struct (), "", {"command", 3});
+%!error <"film" is not an option: those are .*, command, and of each study what `make help' says>
+%! take_options (struct (), "", {"film", 3});
 %!error <in pairs> take_options (struct (), "", {"modes"})
 %!error <pictures is 2: it takes> take_options (struct (), "", {"pictures", 2});
 %!error <exact and modes are both given: the exact rod takes as many polynomials as it needs>
