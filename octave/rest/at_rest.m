@@ -76,5 +76,20 @@ endfunction
 %! scene = setfield (held (), "bodies", {setfield(held ().bodies{1}, "model", "modes", [1 2])});
 %! found = at_rest (mechanism_kind (), check_mechanism (scene), 0, @(found) found.vibrations.omega);
 %! assert (found.functions, NaN); assert (found.change, NaN (1, 4));
+%!test # beside a rod of near to infinite stiffness a soft one has its frequencies: clamped, with a mass at its tip
+%! rod = @(EI, l) struct ("length", l, "EA", 1e7, "EI", EI, "rhoA", 0.7, "rhoI", 0);
+%! scene = held (struct ("kind", "angle", "stations", 0, "value", 0));
+%! model = struct ("modes", "auto", "stiffening", "exact");
+%! scene.bodies = {struct("rod", rod (1e12, 0.6), "model", model), ...
+%!                 struct("rod", rod (20, 1.3), "model", model, "tip_mass", 0.4)};
+%! scene.joints = [scene.joints, {struct("kind", "weld", "bodies", [1 2], "stations", [0.6 0])}];
+%! assert (slowest (scene, 2), [6.65468 53.9464], -5e-6);
+%!test # a rod that a hinge without weight holds in its middle turns: that is no vibration, and it does not grow
+%! scene = held ();
+%! scene.joints{1} = struct ("kind", "revolute", "bodies", 1, "stations", 0.5, "point", [0.5 0]);
+%! scene = check_mechanism (scene);
+%! modes = at_rest (mechanism_kind (), scene, 0, @(found) found.vibrations.omega(1:2)).vibrations;
+%! assert ([modes.omega(1), modes.rate], zeros (1, 1 + numel (modes.rate)));
+%! assert (modes.omega(2), (1.87510407/0.5)^2, -1e-4);
 %!error <the kind "string" says nothing of its equilibrium>
 %! at_rest (struct ("name", "string", "at_rest", []), struct (), 0, @(found) 1);

@@ -30,17 +30,10 @@ function modes = vibrations (linear)
   endfor
 endfunction
 
-## 1/(omega^2 + shift) are the eigenvalues of M by K + shift M
 function modes = real_modes (M, K)
-  squares = real (eig (K, M));
-  least = min ([squares; 0]);
-  largest = max (abs (squares));
-  shift = -2*least + 1e-9*largest*(least <= 1e-12*largest);
-  [modes.shape, inverse] = eig (M, K + shift*M);
-  squares = 1./diag (inverse).' - shift;
-  squares(abs (squares) < 1e-10*shift) = 0;
+  [squares, modes.shape] = undamped_modes (M, K);
   modes.omega = sqrt (max (squares, 0));
-  modes.rate = sqrt (max (-squares, 0));
+  modes.rate = sqrt (max (0, -squares));
   modes.damping = 0*squares;
   modes.vector = modes.shape;
 endfunction
@@ -49,7 +42,7 @@ endfunction
 ## are solved for, in coordinates of like stiffness, so that the slowest have their accuracy beside what is stiff
 function modes = complex_modes (M, C, K)
   p = rows (M);
-  scale = 1./sqrt (abs (diag (K)) + 1e-16*max ([abs(diag(K))./diag(M); realmin])*diag (M));
+  scale = like_stiffness (M, K);
   [M, C, K] = deal (M.*(scale*scale.'), C.*(scale*scale.'), K.*(scale*scale.'));
   slow = real_modes (M, (K + K.')/2);
   speeds = max (slow.omega, slow.rate);
@@ -88,11 +81,6 @@ function [omega, damping] = creeping (comes_back, y, M, C, K)
     omega = sqrt (square);
     damping = (y.'*C*y)/(y.'*M*y)/(2*omega);
   endif
-endfunction
-
-## how fast motions y (columns) may seem to vibrate by the rounding of a stiffness K, which may cancel in them
-function omega = noise_of (y, M, K)
-  omega = sqrt (10*eps*sum (abs (y).*(abs (K)*abs (y)), 1)./real (sum (conj (y).*(M*y), 1)));
 endfunction
 
 %!test # two masses: full accuracy of the slow one beside a stiff spring, and a rigid motion

@@ -21,7 +21,7 @@ function found = followed_branches (about, speeds, count)
     modes = vibrations (linear);
     shapes = linear.basis*modes.vector;
     if (isempty (last))
-      order = find (max (modes.omega, modes.rate) > 1e-7*max (modes.omega))(1:min (end, count));  # not what is rigid
+      order = find (max (modes.omega, modes.rate) > 0)(1:min (end, count));  # not what nothing brings back
       mac = ones (numel (order), 1);
     else
       [order, mac] = most_alike (shapes, last, linear.mass);
@@ -103,3 +103,11 @@ endfunction
 %! assert (numel (bends), 1);
 %! assert (2*pi*found.f(bends,end), turning_beam (4, 1, "clamped"), 5e-4); assert (found.mac > 0.999);
 %! assert (sign (found.f(swing,[1 end]) - found.f(bends,[1 end])), [-1 1]);
+%!test # nor beside a hub of near to infinite stiffness
+%! rod = @(EI, l) struct ("length", l, "EA", 1e9, "EI", EI, "rhoA", 0.7, "rhoI", 0);
+%! model = struct ("modes", "auto", "stiffening", "exact");
+%! at = @(kind, bodies, stations) struct ("kind", kind, "bodies", bodies, "stations", stations);
+%! scene = struct ("bodies", {{struct("rod", rod (1e9, 0.6), "model", model), ...
+%!                             struct("rod", rod (20, 1.3), "model", model, "tip_mass", 0.4)}}, "duration", 1, ...
+%!                 "joints", {{at("revolute", 1, 0), at("angle", 1, 0), at("weld", [1 2], [0.6 0])}});
+%! assert (2*pi*followed (scene, [0 1]).f(1:2,1), [6.65468; 53.9464], -1e-5);
