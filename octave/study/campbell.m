@@ -71,3 +71,8 @@ endfunction
 %!   assert (2*pi*found.f(1:3,speed+1), expected, 5e-5*[1; 1; 1.2]);
 %! endfor
 %! assert (found.mac > 0.999);
+%!test # free at its hinge it turns from the first speed on: that neither grows nor is a branch
+%! for first = [0 20]
+%!   found = found_of (swing (), [first 1000]);
+%!   assert (found.growth, zeros (size (found.f))); assert (found.f(1,1), 676.6, 0.1);
+%! endfor
