@@ -7,26 +7,31 @@
 
 function job = draw_response (found, title, scratch)
   [names, amplitude] = response_curves (found);
+  shown = found.f > 0;  # the axis of frequencies is logarithmic
+  [f, amplitude] = deal (found.f(shown), amplitude(:,shown));
   [~, order] = sort (max (amplitude, [], 2), "descend");
   order = order(max (amplitude(order,:), [], 2) > 0)(1:min (end, 6));
   text = gnuplot_settings (struct ("title", title, "names", {names(order)}, "curves", numel (order), ...
-                                   "f", found.f([1 end])));
+                                   "f", f([1 end])));
   for k = 1:numel (order)
     drawn = amplitude(order(k),:);
     drawn(drawn == 0) = NaN;
-    text = [text, gnuplot_block(sprintf ("curve_%d", k), {[found.f; drawn].'})];
+    text = [text, gnuplot_block(sprintf ("curve_%d", k), {[f; drawn].'})];
   endfor
   write_text (fullfile (scratch, "settings.gp"), text);
   job = start_gnuplot (scratch, "response.gp");
 endfunction
 
-%!function text = drawn (folder, scratch)
-%!  found = struct ("f", [1 2 3], "response", rand (2, 1, 3), "inputs", {{"pull [N]"}}, ...
-%!                 "outputs", {{"x [m]", "y [m]"}});
+%!function text = text_of (found, folder, scratch)
 %!  finish_tool (draw_response (found, "Pulled", scratch));
 %!  text = fileread (fullfile (scratch, "settings.gp"));
 %!  assert ([is_whole(fullfile (folder, "response.svg")), is_whole(fullfile (folder, "response.png"))], [true true]);
 %!endfunction
 %!test
-%! text = in_scratch (@drawn);
+%! found = struct ("f", [1 2 3], "response", rand (2, 1, 3), "inputs", {{"pull [N]"}}, ...
+%!                 "outputs", {{"x [m]", "y [m]"}});
+%! text = in_scratch (@(folder, scratch) text_of (found, folder, scratch));
 %! assert (regexp (text, 'f_(?:low|high) = (\S+)', "tokens"), {{"1"}, {"3"}}); assert (numel (strfind (text, "$curve_")), 2);
+%! found = struct ("f", [0 2], "response", cat (3, NaN, 1i), "inputs", {{"pull [N]"}}, "outputs", {{"x [m]"}});
+%! text = in_scratch (@(folder, scratch) text_of (found, folder, scratch));  # one, a point
+%! assert (regexp (text, 'f_(?:low|high) = (\S+)', "tokens"), {{"2"}, {"2"}});

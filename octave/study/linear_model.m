@@ -9,8 +9,9 @@
 ## inputs (cellstr) are the components of forces and moments; of prescribed places and angles (driven) it is their
 ## acceleration (per s^2), and they and their rates are the last states, after y and y'. outputs (cellstr) are columns
 ## of history.csv, measured from their values at rest (rest): the option "outputs" has their names without units, by
-## default all of places and angles, "tip_*", "mid_*", "psi*", and reactions.  @var{scene} and @var{output} are those
-## of @code{study_scene}.
+## default all of places and angles, "tip_*", "mid_*", "psi*", and reactions.  harmonic (s) is the outputs' answer to
+## inputs that go as exp (s t), of what is prescribed by its place or angle (see @code{harmonic_response}).
+## @var{scene} and @var{output} are those of @code{study_scene}.
 ##
 ## @example
 ## model = linear_model ("two_link_arm"); # sys = ss (model.A, model.B, model.C_out, model.D);
@@ -28,6 +29,7 @@ function [model, scene, output] = linear_model (scene = "paper", varargin)
   [into, hold] = pushes (kind.at_rest (unit, rods), found, numel (model.inputs));
   [model.outputs, model.rest, by] = observed (kind, unit, rods, found, numel (model.inputs), wanted);
   model = with_matrices (model, found, into, hold, by);
+  model.harmonic = @(s) harmonic_response (found, model.driven, into, hold, by, s);
   model.omega = found.vibrations.omega;
 endfunction
 
