@@ -29,11 +29,38 @@ function found = campbell (scene = "spin_up", varargin)
   if (any (result.growth(:) > 0))
     say ("warning: from %.4g rad/s on the rod is unstable", speeds(find (any (result.growth > 0, 1), 1)));
   endif
+  if (isfield (turning, "richer"))
+    say_change (turning, speeds(end));
+  endif
   publish_study (output, {"campbell.csv"}, {"campbell.svg", "campbell.png"}, ...
                  @(aside) write_campbell (result, aside), @(scratch) draw_campbell (result, scene.title, scratch));
   if (nargout > 0)
     found = result;
   endif
+endfunction
+
+## of the slowest six, by twice as many base functions
+function say_change (turning, speed)
+  try
+    [omega, better] = deal (slowest (turning.about (speed, [])), slowest (turning.richer (speed, [])));
+  catch err
+    rethrow_others (err, "toolchain:scene");
+    say ("  at %g rad/s twice as many base functions have no steady rotation from what is undeformed", speed);
+    return;
+  end_try_catch
+  count = min (numel (omega), numel (better));
+  change = max ([0, abs(better(1:count)./omega(1:count) - 1)]);
+  text = sprintf ("twice as many base functions change the slowest by %.1g at %g rad/s", change, speed);
+  if (change > 1e-3)
+    say ("warning: %s: EXACT=yes, or more model.modes with model.stiffening = \"exact\", has them better", text);
+  else
+    say ("  %s", text);
+  endif
+endfunction
+
+function omega = slowest (linear)
+  omega = vibrations (linear).omega;
+  omega = omega(omega > 0)(1:min (end, 6));
 endfunction
 
 function speed = highest_speed (speed)
@@ -76,3 +103,13 @@ endfunction
 %!   found = found_of (swing (), [first 1000]);
 %!   assert (found.growth, zeros (size (found.f))); assert (found.f(1,1), 676.6, 0.1);
 %! endfor
+%!test # a rod with a mass at its tip on a hub: sines say that they are too few, polynomials on a rigid one are enough
+%! rod = @(EI, l) struct ("length", l, "EA", 1e9, "EI", EI, "rhoA", 0.7, "rhoI", 0);
+%! at = @(kind, bodies, stations) struct ("kind", kind, "bodies", bodies, "stations", stations);
+%! scene = struct ("bodies", {{struct("rod", rod (1e9, 0.6)), struct("rod", rod (20, 1.3), "tip_mass", 0.4)}}, ...
+%!                 "joints", {{at("revolute", 1, 0), at("angle", 1, 0), at("weld", [1 2], [0.6 0])}}, "duration", 1);
+%! said = evalc ("campbell (scene, 'speeds', [30 60], 'output', '');");
+%! assert (regexp (said, 'warning: twice as many base functions .* at 60 rad/s: EXACT=yes') > 0);
+%! scene.bodies{1}.model.modes = [0 0];
+%! said = evalc ("campbell (scene, 'speeds', [30 60], 'exact', true, 'output', '');");
+%! assert (isempty (strfind (said, "warning"))); assert (regexp (said, 'change the slowest by \S+ at 60 rad/s') > 0);

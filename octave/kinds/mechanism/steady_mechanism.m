@@ -2,9 +2,9 @@
 ## @deftypefn {} {@var{turning} =} steady_mechanism (@var{scene})
 ## The bodies of a checked @var{scene} in steady rotation about the point that holds them (see @code{rotation_centre}),
 ## all as one, without weight and loads, as @code{campbell} takes them: a struct of speed (rad/s, the largest that a
-## joint "angle" of the ground prescribes, NaN without one) and about (speed, q), as @code{about_rotation}.  Bodies
-## that do not state their modes have 8 base functions of each sort together, geometrically exact ones 16, at least 3
-## each.
+## joint "angle" of the ground prescribes, NaN without one), about (speed, q), as @code{about_rotation}, and where a
+## body does not state its modes richer, the same of twice as many base functions.  Such bodies have 8 of each sort
+## together, geometrically exact ones 16, at least 3 each.
 ## @end deftypefn
 
 function turning = steady_mechanism (scene)
@@ -20,10 +20,19 @@ function turning = steady_mechanism (scene)
   scene.gravity = 0;
   exact = any (arrayfun (@(body) strcmp (body.model.stiffening, "exact"), scene.bodies));
   functions = 8*(1 + exact);  # polynomials have the sixth mode less well than sines
-  mechanism = model_of (mechanism_kind (), scene, max (3, floor (functions/numel (scene.bodies))));
+  auto = sum (arrayfun (@(body) ischar (body.model.modes), scene.bodies));
+  each = max (3, floor (functions/max (auto, 1)));
+  mechanism = model_of (mechanism_kind (), scene, each);
   softening_note (mechanism.models);
+  turning.about = about_of (scene, mechanism, centre);
+  if (auto > 0)
+    turning.richer = @(speed, q) about_of (scene, model_of (mechanism_kind (), scene, 2*each), centre)(speed, q);
+  endif
+endfunction
+
+function linear_at = about_of (scene, mechanism, centre)
   balance = mechanism_at_rest (scene, mechanism);
-  turning.about = @(speed, q) about (rotating_balance (balance, speed, centre), speed, q);
+  linear_at = @(speed, q) about (rotating_balance (balance, speed, centre), speed, q);
 endfunction
 
 function [linear, q] = about (balance, speed, q)
@@ -75,3 +84,11 @@ endfunction
 %! scene.joints{2}.stations = 0;
 %! scene.duration = 1;
 %! assert (slowest (check_mechanism (scene), 5, 1), 5*sqrt (3/2*2/1), -1e-5);
+%!test # what its rigid bodies leave is a rod's; all that is stated is not made richer
+%! hub = {struct("kind", "angle", "bodies", 1, "stations", 0, "value", @(t) [6*t, 6, 0])};
+%! scene = spinner (hub, 2);
+%! scene.bodies(1).model.modes = [0 0];
+%! turning = steady_mechanism (scene);  # of 8 of both sorts, and a correction
+%! assert ([rows(turning.about (0, []).M), rows(turning.richer (0, []).M)], 1 + [16 32]);
+%! scene.bodies(2).model = setfield (scene.bodies(2).model, "modes", [1 2]);
+%! assert (isfield (steady_mechanism (scene), "richer"), false);
