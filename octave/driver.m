@@ -47,7 +47,7 @@ function result = run_scene (given, options, left)
       endif
     endif
     cellfun (@(text) say ("warning: %s", text), kind.foreseen (scene, model));
-    run = balanced_run (kind, scene, model, choice, left);
+    run = setfield (balanced_run (kind, scene, model, choice, left), "rung", choice.rung);
   catch err
     record_failure (output, name, scene, err);
     rethrow (err);

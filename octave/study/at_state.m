@@ -27,7 +27,10 @@ endfunction
 ## of a model that is stated, or that is chosen for the way until then
 function [model, state] = state_of_run (kind, scene, t)
   if (t == 0)
-    model = model_of (kind, scene, 4);
+    model = kind.sized (scene, 4);
+    if (! isempty (known_rung (kind, scene)))
+      model = chosen_model (kind, scene);
+    endif
     state = started_system (kind, scene, model).initial_state;
     return;
   endif

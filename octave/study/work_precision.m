@@ -47,7 +47,7 @@ endfunction
 
 ## the rung whose model is charted, and where it was to be chosen, the choice and its ladder
 function [rung, choice, ladder] = charted (kind, scene, left)
-  rung = kind.stated (scene);
+  rung = known_rung (kind, scene);
   choice = ladder = [];
   if (isempty (rung))
     ladder = ladder_of (kind, scene, left);
