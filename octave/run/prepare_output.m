@@ -9,7 +9,8 @@ function prepare_output (output, scene)
   if (isempty (output.folder))
     return;
   endif
-  require_folder (output.folder);
+  [numbers, pictures] = run_files ();
+  require_folder (output.folder, [numbers, pictures]);
   if (scene.duration*output.dense > 1e6)  # [] is not
     scene_error ("dense is %g: it makes %.3g rows in the duration of %g s, at most 1e6 of them are written", ...
                  output.dense, scene.duration*output.dense, scene.duration);

@@ -13,9 +13,7 @@ function summary = write_run (output, kind, scene, run, summary, start)
   if (isempty (folder))
     return;
   endif
-  pictures = {"frames", "animation.mp4", "animation.gif", "figure3.svg", "figure3.png", "figure3.pdf", ...
-              "history.svg", "report.html"};
-  names = {"history.csv", "summary.json", "end.csv", "dense.csv"};
+  [names, pictures] = run_files ();
   draw = @() run_drawing (kind, scene, run);
   summary.seconds.pictures = 0;
   summary.seconds.total = toc (start);
@@ -40,7 +38,7 @@ function summary = write_run (output, kind, scene, run, summary, start)
     catch err
       warn ("summary.json lacks the seconds and the warnings of the pictures: %s", err.message);
     end_try_catch
-    names = [names, pictures];
+    names = [names, strtok(pictures, "/")];
   endif
   names = names(cellfun (@(name) exist (fullfile (folder, name)) > 0, names));
   cellfun (@(line) say ("%s", line), closing_lines (output, summary, names));
