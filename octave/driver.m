@@ -33,6 +33,7 @@ function result = run_scene (given, options, left)
   command = repeat_command (given, options);
   [scene, kind, output, name] = checked_scene (given, options);
   announce_breaks (scene.probed);
+  cellfun (@(text) say ("warning: %s", text), frame_warnings (scene));
   prepare_output (output, scene);
   exactly = @(dropped) exact_run (dropped, given, options, scene, kind, output, name);
   why_not = {};
@@ -94,6 +95,9 @@ endfunction
 %! assert (numel (result.history.t), 91);
 %! assert (result.history.t(end), 1.8);
 %! assert (result.summary.method, "waveform");
+%!test # a last frame before the end is said first
+%! said = evalc ("driver (setfield (swing (), 'duration', 0.05), 'modes', [0 0], 'output', '');");
+%! assert (strncmp (said, "warning: the last frame is at 0.04 s, before the duration of 0.05 s", 67));
 %!error <model.modes is "many": it takes "auto" or two numbers of modes \[N1 N2\]> driver ("paper", "modes", "many")
 %!error <"speed" is not an option: those are modes, solver, tolerance, size, pieces, output, pictures, dense, exact, command>
 %! driver ("paper", "speed", 3);

@@ -35,7 +35,7 @@ function summary = summarise (kind, name, scene, run, choice)
   summary.rate_calls = count.calls;
   summary.frames = numel (history.t);
   summary.largest_energy_error = max (energy_error (history));
-  summary.warnings = [choice.warnings, error_warnings, run.warnings, ...
+  summary.warnings = [frame_warnings(scene), choice.warnings, error_warnings, run.warnings, ...
                       energy_warning(summary.largest_energy_error), kind.warnings(scene, run)];
 endfunction
 
@@ -55,6 +55,7 @@ endfunction
 %!                "pixel", @(scene) 2e-3, "instead", @(scene) "", "warnings", @(scene, run) {"of the kind"}, ...
 %!                "dropped", @(scene, run, reference) struct ("x", 0, "y", 0, "bound", 0, "metres", 5e-4));
 %! scene = struct ("title", "A scene", "probed", "loads", "solver", struct ("tolerance", 1e-3));
+%! [scene.duration, scene.frames_per_second] = deal (1, 1);
 %! history = struct ("t", 1:2, "T", [0 2], "U", [0 0], "Z", [5 4], "W", [0 0], "D", [0 0], "balance", [5 5], ...
 %!                   "energy_floor", 1e-12);
 %! run = struct ("history", history, "warnings", {{"of the run"}}, "x", [0 0], "y", [0 0], ...
@@ -75,6 +76,8 @@ endfunction
 %! assert (summary.warnings, {"of the choice", "of the run", "of the kind"});  # the choice has told the error
 %! said = summarise (kind, "", scene, run, setfield (choice, "warnings", {})).warnings;
 %! assert (numel (said), 3); assert (! isempty (strfind (said{1}, "0.004 m")));
+%! said = summarise (kind, "", setfield (scene, "duration", 1.5), run, choice).warnings{1};
+%! assert (strncmp (said, "the last frame is at 1 s, before the duration of 1.5 s", 54));
 %! given = summarise (kind, "", scene, run, setfield (choice, "trial", []));
 %! assert ({given.tried, given.estimated_error_m, given.dropped_m}, {[], [], []});
 %! assert (given.seconds, struct ("choice", 0, "integration", 7));
