@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{model}, @var{choice}] =} chosen_model (@var{kind}, @var{scene}, @var{left})
 ## The model of a checked scene of a @var{kind} (see @code{kind_of}): that which is known (see @code{known_rung}), or
-## the smallest that serves it, which @code{choose} finds.  @var{choice} is what that returns; where nothing was chosen its trial is
-## empty (see @code{given_choice}).  What takes more than a third of the seconds @var{left} () is given up (see
-## @code{ladder_of}).
+## the smallest that serves it, which @code{choose} finds.  @var{choice} is what that returns; where nothing was chosen
+## its trial is empty (see @code{given_choice}).  What takes more than a third of the seconds @var{left} () is given up
+## (see @code{ladder_of}).
 ## @end deftypefn
 
 function [model, choice] = chosen_model (kind, scene, left = @() Inf)

@@ -29,7 +29,7 @@ endfunction
 
 ## what JSON has made columns of
 function rung = with_rows (rung)
-  if (isnumeric (rung) && ! isempty (rung))
+  if (isnumeric (rung) && isvector (rung))
     rung = rung(:).';
   elseif (isstruct (rung))
     rung = structfun (@with_rows, rung, "UniformOutput", false);
@@ -55,7 +55,7 @@ endfunction
 %!function before = end_of (name, rung, count = 1, text = "")   # before a run of a rod of so many bodies
 %!  [folder, gone] = scratch_folder ();
 %!  kind = struct ("name", name, "describe", @(scene, run) struct ("model", "modes"), "models", @(scene) 1);
-%!  run = struct ("rung", {rung}, "end_state", [0.1; 1e-20], "history", struct ("t", 1));
+%!  run = struct ("rung", {rung}, "model", 1, "end_state", [0.1; 1e-20], "history", struct ("t", 1));
 %!  [run.x, run.y] = deal ([0 1; 2 3], [0 4; 0 5]);
 %!  write_end (kind, struct (), run, folder);
 %!  if (! isempty (text))

@@ -21,7 +21,7 @@ endfunction
 %! kind = struct ("name", "rod", "stated", @(scene) deal (scene.modes, "as it is"), "models", @(scene) 1, ...
 %!                "describe", @(scene, run) struct ("model", ""));
 %! [folder, gone] = scratch_folder ();
-%! run = struct ("rung", 5, "end_state", 1, "history", struct ("t", 1), "x", 1, "y", 1);
+%! run = struct ("rung", 5, "model", 1, "end_state", 1, "history", struct ("t", 1), "x", 1, "y", 1);
 %! write_end (kind, struct (), run, folder);
 %! rung = @(modes, from) nthargout (1:2, @known_rung, kind, struct ("modes", modes, "initial", struct ("from", from)));
 %! of_modes = rung (3, folder);

@@ -4,7 +4,7 @@
 ## The panels of @file{history.svg} are from some 2000 times of the run, panel_time, where the frames' samples miss
 ## what is between them: where a curve through the frames is off from states between them by more than a hundredth of
 ## its range.  A run without states between its frames is integrated once more for that, and for the spectrum, by
-## "auto" here, and by the scene's own method where its curves are drawn; where that would take too long, a note says so.
+## "auto", and by the scene's own method where its curves are drawn; where that would take too long, a note says so.
 ## @end deftypefn
 
 function drawing = run_drawing (kind, scene, run)

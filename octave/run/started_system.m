@@ -20,8 +20,8 @@ function system = started_system (kind, scene, model)
   off = metres_off (kind, scene, model, system, before.points);
   if (off > 1e-6*norm (max (before.points) - min (before.points)))
     scene_error (["initial.from is \"%s\": points begin up to %.2g m away from where they ended in that run, of %s:" ...
-                  " the rod, its modes, stiffening or what acts on it are others; \"auto\" takes its modes, and" ...
-                  " a moment that is over makes modes, too: leave 1e-12 of it"], before.folder, off, before.model);
+                  " the rod, its modes or its stiffening are others; \"auto\" takes its modes"], before.folder, off, ...
+                 before.model);
   endif
 endfunction
 
@@ -60,7 +60,11 @@ endfunction
 %!  evalc ("result = driver (first, 'output', folder, 'pictures', false, 'exact', false);");
 %!  first.initial.from = folder;
 %!  rest = driver (first, "output", "", "exact", false);
-%!  assert (rest.rung, result.rung); assert (rest.summary.tried, []);
+%!  own = rest.rung;
+%!  if (isfield (own, "basis"))
+%!    own = rmfield (own, {"base", "basis"});
+%!  endif
+%!  assert (own, result.rung); assert (rest.summary.tried, []);
 %!  whole = run_model (kind_of (scene), setfield (result.scene, "duration", scene.duration), result.model);
 %!  assert ([rest.x(:,end); rest.y(:,end)], [whole.x(:,end); whole.y(:,end)], 1e-6);
 %!endfunction
@@ -78,6 +82,7 @@ endfunction
 %! first = check_chosen (scene, folder);
 %! fail ("driver (first, 'modes', [0, driver(first, 'output', '').rung.bending], 'output', '')", ...
 %!       "points begin up to 0.00.* m away from where they ended in that run, of rod: .* bending modes");
-%! fail ("driver (setfield (first, 'rod', 'length', 0.41), 'output', '')", "the rod, its modes, .* are others");
-%! evalc ("over = driver (setfield (first, 'moment', 1e-12), 'output', '');");
-%! fail ("driver (setfield (first, 'moment', 0), 'output', '')", "a moment that is over makes modes, too: leave");
+%! fail ("driver (setfield (first, 'rod', 'length', 0.41), 'output', '')", "the rod, its modes or .* are others");
+%! evalc ("ended = driver (rmfield (first, 'initial'), 'output', '', 'exact', false);");
+%! over = driver (setfield (first, "moment", 0), "output", "");  # whose own modes would be others
+%! assert ([over.x(:,1), over.y(:,1)], [ended.x(:,end), ended.y(:,end)], 1e-9);

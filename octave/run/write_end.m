@@ -8,7 +8,11 @@
 
 function write_end (kind, scene, run, folder)
   head = sprintf ("%s: %s, at t = %g s\n", kind.name, kind.describe (scene, run).model, run.history.t(end));
-  model = jsonencode (struct ("bodies", numel (kind.models (scene)), "rung", {run.rung}));
+  rung = run.rung;
+  if (isfield (run.model, "basis"))  # eigenmodes are those of what acted in this run
+    [rung.base, rung.basis] = deal (run.model.base, run.model.basis);
+  endif
+  model = jsonencode (struct ("bodies", numel (kind.models (scene)), "rung", {rung}));
   points = [run.x(:,end), run.y(:,end)];
   if (isfield (run, "z"))
     points(:,3) = run.z(:,end);
@@ -21,7 +25,7 @@ endfunction
 %!test
 %! [folder, gone] = scratch_folder ();
 %! kind = struct ("name", "rod", "describe", @(scene, run) struct ("model", "three modes"), "models", @(scene) 1);
-%! run = struct ("end_state", [0.5; 1e-20], "history", struct ("t", [0 1.5]), "rung", 3);
+%! run = struct ("end_state", [0.5; 1e-20], "history", struct ("t", [0 1.5]), "rung", 3, "model", 1);
 %! [run.x, run.y] = deal ([0 1; 0 2], [0 3; 0 4]);
 %! write_end (kind, struct (), run, folder);
 %! state = ["0.5\n" sprintf("%.17g", 1e-20) "\n"];
@@ -29,3 +33,8 @@ endfunction
 %! assert (fileread (fullfile (folder, "end.csv")), [head, state, "1,3\n2,4\n"]);
 %! write_end (kind, struct (), setfield (run, "z", [0 5; 0 6]), folder);
 %! assert (fileread (fullfile (folder, "end.csv")), [head, state, "1,3,5\n2,4,6\n"]);
+%! run.rung = struct ("bending", 1);
+%! run.model = struct ("base", struct ("transversal", [1 2]), "basis", [0.5; 0.25]);
+%! write_end (kind, struct (), run, folder);
+%! said = jsondecode (strsplit (fileread (fullfile (folder, "end.csv")), "\n"){2}).rung;
+%! assert ({said.bending, said.base.transversal, said.basis}, {1, [1; 2], [0.5; 0.25]});

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{model} =} build_model (@var{scene}, @var{rung})
 ## The model of a checked scene's rod on a rung of the ladder (see @code{rung_of_scene}): a projection V = basis*q of
-## the same general arrays.
+## the same general arrays.  A rung that has its base functions and the basis, that of another run's end, keeps them.
 ##
 ## Fields are those of @code{rod_model}, with basis (N-by-n), arrays projected to it and with the scalars of the
 ## followers, and whole_mass_matrix and whole_coupling_vector (not projected), force (shape_1, shape_2,
@@ -16,7 +16,12 @@ function model = build_model (scene, rung)
   model.whole_mass_matrix = arrays.mass_matrix;
   model.whole_coupling_vector = arrays.coupling_vector;
   N1 = numel (model.base.longitudinal);
-  model.basis = rung_basis (rung, arrays, model.base, ! isempty (scene.rotation), stiffness_of_joints (scene, model));
+  if (isfield (rung, "basis"))
+    model.basis = reshape (rung.basis, rows (arrays.mass_matrix), []);
+  else
+    stiffness = stiffness_of_joints (scene, model);
+    model.basis = rung_basis (rung, arrays, model.base, ! isempty (scene.rotation), stiffness);
+  endif
   model.arrays = project_arrays (arrays, model.basis);
   if (strcmp (rung.axial, "quasistatic"))
     model.followers = followers_of (arrays, 1:N1, functions_at (model.base, scene.force_station));
@@ -30,7 +35,10 @@ function model = build_model (scene, rung)
 endfunction
 
 function base = base_of (rung, scene)
-  if (! isempty (rung.sines))
+  if (isfield (rung, "base"))
+    base = base_functions (rung.base.longitudinal, rung.base.transversal, scene.rod.length);
+    return;
+  elseif (! isempty (rung.sines))
     base = base_functions (1:rung.sines(1), 1:rung.sines(2), scene.rod.length);
     return;
   endif
