@@ -12,10 +12,10 @@ function warnings = limit_warnings (limits, of, instead)
     if (strncmp (limit.what, "slope", 5))
       said = sprintf ("%.2g, the theory holds for small ones, here up to %g: errors of its square are %.1g; %s", ...
                       limit.reached, limit.limit, limit.reached^2/2, instead);
-    elseif (strfind (limit.what, "strain"))
+    elseif (! isempty (strfind (limit.what, "strain")))
       said = sprintf ("%.2g, linear elasticity holds for small ones: take smaller loads or a larger EA", limit.reached);
     endif
-    if (said)
+    if (! isempty (said))
       warnings{end+1} = sprintf ("%sthe %s reaches %s", of, limit.what, said);
     endif
   endfor
