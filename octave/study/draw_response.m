@@ -10,7 +10,11 @@ function job = draw_response (found, title, scratch)
   shown = found.f > 0;  # the axis of frequencies is logarithmic
   [f, amplitude] = deal (found.f(shown), amplitude(:,shown));
   [~, order] = sort (max (amplitude, [], 2), "descend");
-  order = order(max (amplitude(order,:), [], 2) > 0)(1:min (end, 6));
+  order = order(max (amplitude(order,:), [], 2) > 0);
+  if (numel (order) > 6)
+    title = sprintf ("%s: the six largest of %d curves", title, numel (order));
+    order = order(1:6);
+  endif
   text = gnuplot_settings (struct ("title", title, "names", {names(order)}, "curves", numel (order), ...
                                    "f", f([1 end])));
   for k = 1:numel (order)
@@ -35,3 +39,6 @@ endfunction
 %! found = struct ("f", [0 2], "response", cat (3, NaN, 1i), "inputs", {{"pull [N]"}}, "outputs", {{"x [m]"}});
 %! text = in_scratch (@(folder, scratch) text_of (found, folder, scratch));  # one, a point
 %! assert (regexp (text, 'f_(?:low|high) = (\S+)', "tokens"), {{"2"}, {"2"}});
+%! [found.response, found.outputs] = deal (cat (3, (1:7).', (1:7).'), num2cell ("a":"g"));
+%! text = in_scratch (@(folder, scratch) text_of (found, folder, scratch));
+%! assert (! isempty (strfind (text, "Pulled: the six largest of 7 curves")));
