@@ -4,7 +4,8 @@
 ## of @var{K} has as much, see @code{noise_of}; negative where it grows) and shapes (p-by-p).
 ##
 ## The slow ones have full relative accuracy beside stiff ones: 1/(square + shift) are eigenvalues of M by K + shift M
-## in coordinates of like stiffness.  The fast ones are those of K by M, where these are more accurate.
+## in coordinates of like stiffness.  The fast ones are those of K by M, where these are more accurate, and so are all
+## of a mass that is not positive, which no shift helps (see @code{refuse_negative_mass}).
 ## @end deftypefn
 
 function [squares, shape] = undamped_modes (M, K)
@@ -12,6 +13,11 @@ function [squares, shape] = undamped_modes (M, K)
   [M, K] = deal (M.*(scale*scale.'), K.*(scale*scale.'));
   [shape, squares] = free_modes (K, M);
   squares = squares.';
+  [~, indefinite] = chol (M);
+  if (indefinite)
+    shape .*= scale;
+    return;
+  endif
   shift = positive_shift (M, K);
   [slow, slow_shape] = inverted (M, K, shift);
   if (shift > 0)
@@ -51,3 +57,6 @@ endfunction
 %! assert (undamped_modes (diag ([1 2 3]), K)(1), 0);
 %!test # what grows beside what is stiff
 %! assert (undamped_modes (eye (3), diag ([-9 4 1e14])), [-9 4 1e14], -1e-12);
+%!test # a mass that is not positive ends, too
+%! [squares, shape] = undamped_modes (diag ([1 -1]), diag ([2 -3]));
+%! assert (sort (squares), [2 3], 1e-12);
