@@ -31,7 +31,10 @@ function [states, count] = integrate (system, times, solver)
   clock = tic ();
   calls = shown = 0;
   watched = on_terminal ();
-  told = [Inf, 0](1:2*isfinite (limit));  # nothing more where it is known how long, at most
+  told = [];
+  if (isfinite (limit))
+    told = [Inf, 0];  # then it is known how long, at most
+  endif
   system.calls = @calls_so_far;
   [times, ends] = meet_breaks (times, system.breaks);
   y = system.initial_state;

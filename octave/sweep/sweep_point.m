@@ -70,8 +70,11 @@ endfunction
 
 ## what to type for the same run, wherever its files go
 function command = typed (which, settings, options)
-  at = {"at", settings.at}(1:2*! isempty (settings.at));
-  options = [without_options(options, {"output", "pictures"}), at, {"observe", settings.observe}];
+  options = without_options (options, {"output", "pictures"});
+  if (! isempty (settings.at))
+    options = [options, {"at", settings.at}];
+  endif
+  options = [options, {"observe", settings.observe}];
   command = repeat_command (nthargout (3, @find_scene, which), options, "make point");
 endfunction
 
