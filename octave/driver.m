@@ -21,32 +21,34 @@
 ## @end deftypefn
 
 function result = driver (scene = "paper", varargin)
-  found = run_scene (scene, varargin, @() Inf);
+  start = tic ();
+  [checked, kind, output, name] = checked_scene (scene, varargin);
+  announce_breaks (checked.probed);
+  cellfun (@(text) say ("warning: %s", text), frame_warnings (checked));
+  prepare_output (output, checked);
+  found = run_scene (checked, kind, output, name, @(more) repeat_command (scene, [varargin, more]), start, @() Inf);
   if (nargout > 0)
     result = found;
   endif
 endfunction
 
 ## what would take longer than the seconds left is given up
-function result = run_scene (given, options, left)
-  start = tic ();
-  command = repeat_command (given, options);
-  [scene, kind, output, name] = checked_scene (given, options);
-  announce_breaks (scene.probed);
-  cellfun (@(text) say ("warning: %s", text), frame_warnings (scene));
-  prepare_output (output, scene);
-  exactly = @(dropped) exact_run (dropped, given, options, scene, kind, output, name);
+function result = run_scene (scene, kind, output, name, command_with, start, left)
+  passed = @(dropped) strcmp (output.exact, "auto") && any (dropped > scene.solver.tolerance) ...
+                      && ! isempty (kind.exactly (scene));
+  exactly = @(dropped) exact_run (dropped, scene, kind, output, name, command_with, start);
   why_not = {};
 
   try
-    [model, choice] = chosen_model (kind, scene, left);
-    announce (choice);
-    if (! isempty (choice.trial))
+    [model, choice] = chosen_model (kind, scene, left, @(trial) passed (kind.bound (scene, trial)));
+    if (! isempty (choice.trial) && passed (kind.bound (scene, choice.trial)))
       [result, why_not] = exactly (kind.bound (scene, choice.trial));
       if (! isempty (result))
         return;
       endif
+      [model, choice] = chosen_model (kind, scene, left);
     endif
+    announce (choice);
     cellfun (@(text) say ("warning: %s", text), kind.foreseen (scene, model));
     run = setfield (balanced_run (kind, scene, model, choice, left), "rung", choice.rung);
   catch err
@@ -54,14 +56,14 @@ function result = run_scene (given, options, left)
     rethrow (err);
   end_try_catch
   summary = summarise (kind, name, scene, run, choice);
-  if (isempty (why_not))
+  if (isempty (why_not) && passed (summary.dropped_m))
     [result, why_not] = exactly (summary.dropped_m);
     if (! isempty (result))
       return;
     endif
   endif
   summary.warnings = [summary.warnings, why_not];
-  summary.command = command;
+  summary.command = command_with ({});
   if (! isempty (output.command))
     summary.command = output.command;
   endif
@@ -71,19 +73,17 @@ function result = run_scene (given, options, left)
   result.summary = summary;
 endfunction
 
-## empty where the tolerance is kept by others, which drop so many metres, or where it is not to be; and, with a
-## warning, where it fails, or takes more than two minutes: the run of the model is there
-function [result, why_not] = exact_run (dropped, given, options, scene, kind, output, name)
+## empty, with a warning, where it fails, or takes more than two minutes: the run of the model is there
+function [result, why_not] = exact_run (dropped, scene, kind, output, name, command_with, start)
   result = [];
   why_not = {};
-  if (! strcmp (output.exact, "auto") || ! any (dropped > scene.solver.tolerance) || isempty (kind.exactly (scene)))
-    return;
-  endif
   say ("%s: all its models drop up to %.2g m, the tolerance is %.2g m: the geometrically exact rod (EXACT=no: none)", ...
        name, dropped, scene.solver.tolerance);
-  start = tic ();
+  output.exact = true;
+  began = tic ();
   try
-    result = run_scene (given, [options, {"exact", true}], @() 120 - toc (start));
+    result = run_scene (kind.exactly (scene), kind.of_exact (scene), output, name, ...
+                        @(more) command_with ([{"exact", true}, more]), start, @() 120 - toc (began));
   catch err
     rethrow_others (err, "toolchain:integration", "toolchain:scene");
     why_not = {sprintf("the geometrically exact rod could not be run: %s", strtrim (err.message))};

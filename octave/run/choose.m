@@ -1,5 +1,5 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{choice} =} choose (@var{ladder}, @var{tolerance})
+## @deftypefn {} {@var{choice} =} choose (@var{ladder}, @var{tolerance}, @var{useless})
 ## The smallest rung of a kind's ladder of models that has every point within the @var{tolerance} (m) in every frame.
 ##
 ## The rung above a first guess is the reference, whose motion says how much of it is needed.  That is run, and a
@@ -9,6 +9,9 @@
 ## next guess.  At the ladder's end the choice gives up: the last reference is taken, with its distance from the best
 ## that is clearly poorer, and a warning says so.  No rung is run twice, and one that cannot be run is passed by; where
 ## none can, the error is the last one's.
+##
+## A reference that is @var{useless} (reference), by default none, is taken at once: no rung would serve, so that how
+## small it may be matters to nobody.
 ##
 ## @var{ladder} is a struct of share, parts (a cell array) and functions: first () = [rung, why] (a sentence, or
 ## empty), richer (rung), smaller (rung, part), the same rung where there is none, left_out (reference, rung, part),
@@ -20,13 +23,17 @@
 ## (a sentence), tried (a struct array of rung, name, error_m, seconds, calls, message, chosen) and warnings (cellstr).
 ## @end deftypefn
 
-function choice = choose (ladder, tolerance)
+function choice = choose (ladder, tolerance, useless = @(reference) false)
   limit = ladder.share*tolerance;
   trials = references = {};
   [guess, why] = ladder.first ();
   do
     references{end+1} = ladder.richer (guess);
     [reference, trials] = run_once (ladder, references{end}, trials);
+    if (isempty (reference.error) && useless (reference))
+      trial = reference;
+      break;
+    endif
     [trial, guess, trials, limit] = near_enough (ladder, reference, limit, trials);
     at_the_end = any (cellfun (@(rung) isequal (rung, ladder.richer (guess)), references));
   until (! isempty (trial) || at_the_end)
@@ -111,6 +118,10 @@ endfunction
 %! assert (choice.warnings, {});
 %! assert (choice.reason, "they fall; the smallest within 0.0011 m of 8 terms");
 %! assert (sort ([choice.tried.rung]), [3 4 8]); assert ([choice.tried([choice.tried.chosen]).rung], 3);
+%!test # the first reference that is useless is taken, not one that failed
+%! assert ([choose(series (0.1.^(0:19)), 1.2e-3, @(trial) true).tried.rung], 4);
+%! choice = choose (series (0.1.^(0:19), 5), 1.2e-3, @(trial) true);
+%! assert ([choice.rung, numel(choice.tried)], [10 2]);
 %!test # where as much is needed as the reference has, the reference is the next guess
 %! choice = choose (series (0.5.^(0:19)), 1e-3);
 %! assert (choice.rung, 12); assert (sort ([choice.tried.rung]), [4 10 11 12 20]);

@@ -1,15 +1,16 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{model}, @var{choice}] =} chosen_model (@var{kind}, @var{scene}, @var{left})
+## @deftypefn {} {[@var{model}, @var{choice}] =} chosen_model (@var{kind}, @var{scene}, @var{left}, @
+##   @var{useless})
 ## The model of a checked scene of a @var{kind} (see @code{kind_of}): that which is known (see @code{known_rung}), or
 ## the smallest that serves it, which @code{choose} finds.  @var{choice} is what that returns; where nothing was chosen
 ## its trial is empty (see @code{given_choice}).  What takes more than a third of the seconds @var{left} () is given up
-## (see @code{ladder_of}).
+## (see @code{ladder_of}), and what is @var{useless} ends the choice (see @code{choose}).
 ## @end deftypefn
 
-function [model, choice] = chosen_model (kind, scene, left = @() Inf)
+function [model, choice] = chosen_model (kind, scene, left = @() Inf, useless = @(trial) false)
   [rung, choice] = known_rung (kind, scene);
   if (isempty (rung))
-    choice = choose (ladder_of (kind, scene, left), scene.solver.tolerance);
+    choice = choose (ladder_of (kind, scene, left), scene.solver.tolerance, useless);
     model = choice.trial.model;
   else
     model = kind.build (scene, rung);
