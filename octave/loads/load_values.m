@@ -7,13 +7,9 @@
 ## @end deftypefn
 
 function values = load_values (load, times)
-  if (load.vectorised)
-    try
-      values = load.at (times);
-      if (isnumeric (values) && isreal (values) && isequal (size (values), size (times)) && all (isfinite (values)))
-        return;
-      endif
-    end_try_catch
+  [values, good] = all_at_once (load, times);
+  if (good)
+    return;
   endif
   values = zeros (load.numbers, numel (times));
   for k = 1:numel (times)
@@ -26,6 +22,21 @@ function values = load_values (load, times)
   if (load.vectorised)
     refuse_vectors (load, times(unique (round (linspace (1, end, 3)))));
   endif
+endfunction
+
+function [values, good] = all_at_once (load, times)
+  values = [];
+  good = false;
+  try
+    if (load.vectorised)
+      values = load.at (times);
+    else
+      each = arrayfun (load.at, times, "uniformoutput", false);
+      values = reshape ([each{cellfun("numel", each) == load.numbers}], load.numbers, []);
+    endif
+    good = isnumeric (values) && isreal (values) && isequal (size (values), [load.numbers, numel(times)]) ...
+           && all (isfinite (values)(:));
+  end_try_catch
 endfunction
 
 ## value: numbers-by-1; fault: what is wrong with it, or empty
@@ -95,6 +106,7 @@ endfunction
 %!error <joints\(2\).value fails at t = 0.7: no wind> load_values (of (@no_wind), 0:0.2:1);
 %!error <joints\(2\).value gives .*i at t = 0.25: it takes> load_values (of (@(t) sqrt (0.25 - t), 1, true), 0:0.2:1);
 %!error <joints\(2\).value gives \[1 2\] at t = 0.5> load_values (of (@(t) 1:1+(t >= 0.5)), 0:0.2:1);
+%!error <joints\(2\).value gives 1 at t = 1: it takes two> load_values (of (@(t) 1:1+2*(t < 1), 2), [1 2])
 %!error <joints\(2\).value gives 300 at t = \[0  1\]: it takes two> load_values (of (@(t) 300, 1, true), [0 1])
 %!error <joints\(2\).value fails at t = \[0  1\]: .*nonconformant.*: it takes two>
 %! load_values (of (@(t) t*t, 1, true), [0 1])
