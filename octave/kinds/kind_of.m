@@ -53,9 +53,11 @@
 ## @item columns (scene, run)
 ## [names, table] of history.csv: names with units, a row a name
 ## @item drawing (scene, run)
-## what @code{draw_pictures} takes, but for the spectrum
+## what @code{draw_pictures} takes, but for panels and spectrum
+## @item panels (scene, run)
+## those of its history
 ## @item spectrum (scene, run)
-## that below the drawing's panels, a struct like that of @code{tip_spectrum}, or empty
+## that below the panels, a struct like that of @code{tip_spectrum}, or empty
 ## @item rungs (scene, chosen, richer)
 ## rungs around a chosen one, a cell array, up to a richer one
 ## @item exactly (scene)

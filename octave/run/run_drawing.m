@@ -9,12 +9,21 @@
 
 function drawing = run_drawing (kind, scene, run)
   drawing = kind.drawing (scene, run);
-  by_auto = with_states_between (kind, scene, run, setfield (scene.solver, "name", "auto"));
+  drawing.panels = kind.panels (scene, run);
+  auto = setfield (scene.solver, "name", "auto");
+  if (strcmp (run.solver.name, "auto"))
+    auto = run.solver;
+  endif
+  [by_auto, failure] = with_states_between (kind, scene, run, auto);
   if (numel (drawing.time) < 2000 && ! are_smooth (kind, scene, drawing, by_auto))
-    [run, failure] = with_states_between (kind, scene, run, run.solver);
+    if (strcmp (run.solver.name, "auto"))
+      run = by_auto;
+    else
+      [run, failure] = with_states_between (kind, scene, run, run.solver);
+    endif
     if (isempty (failure))
       dense = between_frames (kind, scene, run, 1:max (1, round (numel (run.between.t)/2000)):numel (run.between.t));
-      drawing.panels = kind.drawing (scene, dense).panels;
+      drawing.panels = kind.panels (scene, dense);
       drawing.panel_time = dense.history.t;
     else
       drawing.notes = [field_or(drawing, "notes", {}), ...
@@ -52,7 +61,7 @@ function yes = are_smooth (kind, scene, drawing, run)
   endif
   picked = unique (ceil (numel (run.between.t)*mod ((1:60)*(sqrt (5) - 1)/2, 1)));  # in no rhythm of the frames
   there = between_frames (kind, scene, run, picked);
-  panels = kind.drawing (scene, there).panels;
+  panels = kind.panels (scene, there);
   yes = true;
   for k = 1:numel (drawing.panels)
     alike = strcmp ({drawing.panels.unit}, drawing.panels(k).unit);
@@ -106,8 +115,8 @@ endfunction
 %!  scene.joints = {struct("kind", "revolute", "bodies", 1, "stations", 0)};
 %!  [scene.duration, scene.gravity, scene.solver] = deal (duration, 0, struct ("name", solver, "tolerance", 1e-4));
 %!  result = driver (scene, "output", "");
-%!  drawing = @(t) struct ("time", t, "panels", new_panel ("smooth", "m", {"x"}, t));
-%!  kind = setfield (mechanism_kind (), "drawing", @(scene, run) drawing (run.history.t));
+%!  kind = setfield (mechanism_kind (), "drawing", @(scene, run) struct ("time", run.history.t));
+%!  kind.panels = @(scene, run) new_panel ("smooth", "m", {"x"}, run.history.t);
 %!  spectrum = run_drawing (kind, result.scene, result).spectrum;
 %!endfunction
 %!test # a mechanism has a spectrum by whatever method

@@ -25,7 +25,6 @@ function drawing = mechanism_drawing (scene, mechanism, history)
   of_joints = mechanism.marker_of(:,1);
   drawing.hinges = pins_of_joints (scene.joints, history.markers.x(of_joints,:), history.markers.y(of_joints,:));
   drawing.strips = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions"});
-  drawing.panels = mechanism_panels (scene, mechanism, history);
   curved = arrayfun (@(body) ! isempty (body.rod.curvature), scene.bodies);
   drawing.equations = {"mechanism"};
   if (! all (curved))

@@ -28,6 +28,7 @@ function kind = mechanism_kind ()
   kind.warnings = @body_warnings;
   kind.columns = @mechanism_columns;
   kind.drawing = @(scene, run) mechanism_drawing (scene, run.model, run.history);
+  kind.panels = @(scene, run) mechanism_panels (scene, run.model, run.history);
   kind.spectrum = @body_spectrum;
   kind.rungs = @rungs_around;
   kind.exactly = @exact_bodies;

@@ -16,6 +16,7 @@ function kind = exact_kind ()
   kind.describe = @describe_exact;
   kind.columns = @exact_columns;
   kind.drawing = @exact_drawing;
+  kind.panels = @(scene, run) in_the_plane (surface_kind ().panels (scene, run));
   kind.turning = @steady_exact;
   kind.of_exact = @(scene) exact_kind ();
 endfunction
@@ -52,10 +53,12 @@ endfunction
 
 function drawing = exact_drawing (scene, run)
   drawing = surface_kind ().drawing (scene, run);
-  for part = {"panels", "strips"}
-    tip = strcmp ({drawing.(part{1}).label}, "tip");
-    drawing.(part{1})(tip).names = strrep (drawing.(part{1})(tip).names, "z", "y");
-  endfor
+  drawing.strips = in_the_plane (drawing.strips);
+endfunction
+
+function panels = in_the_plane (panels)
+  tip = strcmp ({panels.label}, "tip");
+  panels(tip).names = strrep (panels(tip).names, "z", "y");
 endfunction
 
 ## the plane's second direction is upwards; what is across the plane is left out
@@ -72,7 +75,7 @@ endfunction
 %!  evalc ("result = driver (scene, 'output', '', 'exact', exact, 'tolerance', 1e-5);");
 %!  kind = kind_of (result.scene);
 %!  [names, table] = kind.columns (result.scene, result);
-%!  panels = kind.drawing (result.scene, result).panels;
+%!  panels = kind.panels (result.scene, result);
 %!endfunction
 %!test # its columns are those of the rod in the plane, and the same motion
 %! scene = setfield (setfield (swing (), "duration", 0.05), "frames_per_second", 100);

@@ -31,7 +31,6 @@ function drawing = rod_drawing (scene, model, history)
   endif
   drawing.hinges = with_pins (drawing.hinges, scene.joints, history.joint_points);
   drawing.strips = rod_strips (history, drawing.moment, undeformed_tip (model));
-  drawing.panels = rod_panels (history, undeformed_tip (model));
   drawing.equations = {"hinged", "straight"};
   if (! isempty (scene.rod.curvature))
     drawing.equations = {"hinged", "curved"};

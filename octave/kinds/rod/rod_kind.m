@@ -26,6 +26,7 @@ function kind = rod_kind ()
   kind.warnings = @(scene, run) validity_warnings (scene, run.model, run.history);
   kind.columns = @rod_columns;
   kind.drawing = @(scene, run) rod_drawing (scene, run.model, run.history);
+  kind.panels = @(scene, run) rod_panels (run.history, undeformed_tip (run.model));
   kind.spectrum = @tip_spectrum;
   kind.rungs = @rungs_around;
   kind.exactly = @exact_rod;

@@ -26,6 +26,7 @@ function kind = surface_kind ()
   kind.warnings = @(scene, run) surface_warnings (scene, run.history, limits_of_rod (scene, run));
   kind.columns = @surface_columns;
   kind.drawing = @(scene, run) surface_drawing (run.model, scene, run.history);
+  kind.panels = @(scene, run) surface_panels (scene, run.history);
   kind.spectrum = @surface_spectrum;
   kind.rungs = @rungs_around;
   kind.exactly = @(scene) lacking ("a surface, on which it is exact");

@@ -28,6 +28,7 @@ function kind = string_kind ()
   kind.warnings = @(scene, run) {};
   kind.columns = @columns_of;
   kind.drawing = @drawing_of;
+  kind.panels = @panels_of;
   kind.spectrum = @(scene, run) [];
   kind.rungs = @(scene, chosen, richer) num2cell (unique ([1, chosen, richer]));
   kind.exactly = @(scene) lacking ("a string");
@@ -106,10 +107,13 @@ function drawing = drawing_of (scene, run)
   drawing.bodies = struct ("x", run.x, "y", run.y, "rest_x", run.x, "rest_y", run.y, "half_height", 0.01, ...
                            "stress", []);
   drawing.hinges = struct ("x", 0*t, "y", 0*t);
-  mass = new_panel ("mass", "m", {"x", "y"}, [run.x(end,:); run.y(end,:)]);
-  drawing.panels = [mass, energy_panels(run.history)];
-  drawing.strips = drawing.panels(1);
+  drawing.strips = panels_of (scene, run)(1);
   drawing.equations = {};
+endfunction
+
+function panels = panels_of (scene, run)
+  mass = new_panel ("mass", "m", {"x", "y"}, [run.x(end,:); run.y(end,:)]);
+  panels = [mass, energy_panels(run.history)];
 endfunction
 
 %!error <string.stiffness is missing>
