@@ -12,12 +12,12 @@ function values = applied_values (loads, t)
   values = cell (1, numel (loads));
   for j = 1:numel (loads)
     values{j} = zeros (3, numel (t));
-    values{j}(loads(j).parts,:) = at_times (loads(j).value, once).*ones (1, numel (t));
+    values{j}(loads(j).parts,:) = reshape (loads(j).value (once), [], numel (once)).*ones (1, numel (t));
   endfor
 endfunction
 
-%!assert (applied_values (struct ("value", {@(t) 2*t, @(t) [t 5]}, "parts", {3, [1 2]}), [1 2]), ...
-%!        {[0 0; 0 0; 2 4], [1 2; 5 5; 0 0]})
+%!assert (applied_values (struct ("value", {@(t) 2*t, @(t) kron(t, [1 5])}, "parts", {3, [1 2]}), [1 2]), ...
+%!        {[0 0; 0 0; 2 4], [1 2; 5 10; 0 0]})
 %!assert (applied_values (struct ([]), 1), cell (1, 0))
 %!test # of one instant a load is asked once
 %! values = applied_values (struct ("value", @(t) rand (), "parts", 3), [2 2]);

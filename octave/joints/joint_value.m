@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{value} =} joint_value (@var{joint}, @var{name}, @var{bodies})
-## The value of a checked @var{joint} between the @var{bodies} of its scene as a function of t that returns its numbers
-## in columns, with two rates below them where a constraint prescribes them.  Errors call it by its @var{name}.
+## The value of a checked @var{joint} between the @var{bodies} of its scene as a function of t (1-by-k, s) that returns
+## its numbers in columns, with two rates below them where a constraint prescribes them, those of each t behind those of
+## the one before.  Errors call it by its @var{name}.
 ## @end deftypefn
 
 function value = joint_value (joint, name, bodies)
@@ -9,17 +10,17 @@ function value = joint_value (joint, name, bodies)
   if (numbers == 0)
     values = zeros (3);
     values(1,3) = stated_angle (joint, bodies);  # a weld's tangents stay as they begin
-    value = @(t) values;
+    value = @(t) repmat (values, 1, numel (t));
   elseif (isnumeric (joint.value))
     if (numel (joint.value) != numbers && ! isequal (joint.value, 0))
       scene_error ("%s is %s: it takes %d numbers or a function of t", name, mat2str (joint.value), numbers);
     endif
     constant = zeros (orders, numbers);
     constant(1,:) = joint.value;
-    value = @(t) constant;
+    value = @(t) repmat (constant, 1, numel (t));
   else
-    watched = watched_load (name, joint.value);
-    value = @(t) reshape (watched (t), orders, numbers);
+    watched = watched_columns (name, joint.value);
+    value = @(t) reshape (watched (t), orders, []);
   endif
 endfunction
 
@@ -38,7 +39,8 @@ function angle = tangent_of (body, station)
 endfunction
 
 %!assert (joint_value (struct ("kind", "position", "value", [1 2]), "joints(1).value", []) (5), [1 2; 0 0; 0 0])
-%!assert (joint_value (struct ("kind", "force", "value", @(t) [t 1]), "joints(1).value", []) (5), [5 1])
+%!assert (joint_value (struct ("kind", "force", "value", @(t) [t 1]), "joints(1).value", []) ([5 6]), [5 1 6 1])
+%!assert (joint_value (struct ("kind", "angle", "value", @(t) [t 1 0]), "joints(1).value", []) ([5 6]), [5 6; 1 1; 0 0])
 %!error <joints\(1\).value is \[1 2 3\]: it takes 2 numbers or a function of t>
 %! joint_value (struct ("kind", "force", "value", [1 2 3]), "joints(1).value", []);
 %!error <joints\(4\).value gives a number that is not finite at t = 2>

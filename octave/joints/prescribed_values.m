@@ -18,7 +18,7 @@ function values = prescribed_values (constraints, t)
     orders = {kind.constant*every, still, still};
     for j = moving_joints (kind)
       mine = find (kind.joints == j);
-      value = reshape (at_times (constraints.values{j}, t), 3, [], numel (t));
+      value = reshape (constraints.values{j} (t), 3, [], numel (t));
       for order = 1:3
         orders{order}(mine,:) = value(order,kind.component(mine),asked);
       endfor
@@ -37,7 +37,7 @@ endfunction
 %!test # a position that moves has two components in two kinds, beside a joint that stands
 %! kind = @(component) struct ("joints", [1; 2], "moving", 2, "component", component*[1; 1], "constant", [7; 0]);
 %! constraints = struct ("kinds", [kind(1), kind(2)]);
-%! constraints.values = {@(t) error ("not asked"), @(t) [t, 2*t; 1, 2; 0, 0]};
+%! constraints.values = {@(t) error ("not asked"), watched_columns("place", @(t) [t, 2*t; 1, 2; 0, 0])};
 %! values = prescribed_values (constraints, [0 3]);
 %! assert (values{1}.value, [7 7; 0 3]); assert (values{2}.value, [7 7; 0 6]);
 %! assert (values{2}.value_dot, [0 0; 2 2]); assert (values{1}.value_ddot, zeros (2));

@@ -13,14 +13,14 @@ function scene = growing_loads (scene, t)
   endif
   for name = own
     now = at_times (scene.(name{1}), t);
-    scene.(name{1}) = @(factor) factor*now;
+    scene.(name{1}) = @(factor) kron (factor, now);
   endfor
   if (isfield (scene, "joints"))
     for k = 1:numel (scene.joints)
       now = scene.joints(k).value (t);
-      scene.joints(k).value = @(factor) now;
+      scene.joints(k).value = @(factor) repmat (now, 1, numel (factor));
       if (is_load (scene.joints(k)))
-        scene.joints(k).value = @(factor) factor*now;
+        scene.joints(k).value = @(factor) kron (factor, now);
       endif
     endfor
   endif

@@ -30,7 +30,7 @@ function [scene, names, driven] = unit_inputs (scene, t)
     endfor
     for k = find (! (loads | prescribed))
       now = scene.joints(k).value (t);
-      scene.joints(k).value = @(number) now;
+      scene.joints(k).value = @(number) repmat (now, 1, numel (number));
     endfor
   endif
 endfunction
@@ -42,6 +42,7 @@ function value = unit_by_number (now, before)
   if (columns (now) == 1 && rows (now) > 1)
     value = @(number) now + ((1:rows (now)).' == number - before);
   endif
+  value = @(numbers) [arrayfun(value, numbers, "uniformoutput", false){:}];
 endfunction
 
 function names = component_names (name, count, unit)

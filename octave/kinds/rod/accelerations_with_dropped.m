@@ -32,7 +32,7 @@ function [force_q, force_phi] = dropped (t, q, q_dot, q_ddot, phi, phi_dot, phi_
     loads.moment = c.moment (t);
   endif
   if (! isempty (c.force))
-    F = at_times (c.force, t);
+    F = c.force (t);
     loads.force_x = F(1,:);
     loads.force_y = F(2,:);
   endif

@@ -7,7 +7,7 @@
 function system = hub_rod (scene, model)
   n = columns (model.basis);
   constants = rod_constants (scene, model);
-  constants.rotation = watched_load ("rotation", scene.rotation);
+  constants.rotation = watched_columns ("rotation", scene.rotation);
   a = model.arrays;
   constants.rod.slope_1 = a.slope_1;
   constants.rod.slope_2 = a.slope_2;
@@ -47,7 +47,7 @@ endfunction
 
 ## generalized, of the coordinates alone: phi follows them, and the hub (see hub_accelerations)
 function f = forces (t, V, V_dot, c)
-  theta = at_times (c.rotation, t);
+  theta = c.rotation (t);
   within = struct ("V", V, "V_dot", V_dot);
   [phi, phi_dot, gradient, acceleration] = rod_in_hub (theta(1,:), theta(2,:), within, c.rod);
   [m, mm, force_V, force_phi] = rod_forces (t, phi, phi_dot, V, V_dot, c);
@@ -58,7 +58,7 @@ endfunction
 function found = motion (times, states, n, c)
   found.q = states(1:n,:);
   found.q_dot = states(n+1:2*n,:);
-  theta = at_times (c.rotation, times);
+  theta = c.rotation (times);
   within = struct ("V", found.q, "V_dot", found.q_dot);
   [found.phi, found.phi_dot] = rod_in_hub (theta(1,:), theta(2,:), within, c.rod);
   [rates, found.torque, phi_ddot] = hub_rod_rate (times, states, n, c);

@@ -8,7 +8,7 @@
 function [y_dot, torque, phi_ddot] = hub_rod_rate (t, y, n, c)
   V = y(1:n,:);
   V_dot = y(n+1:2*n,:);
-  theta = at_times (c.rotation, t);
+  theta = c.rotation (t);
   [phi, phi_dot, gradient, acceleration] = rod_in_hub (theta(1,:), theta(2,:), struct ("V", V, "V_dot", V_dot), c.rod);
   [mass_V_phi, mass_phi_phi, force_V, force_phi, power, dissipated, more_power] = rod_forces (
     t, phi, phi_dot, V, V_dot, c);

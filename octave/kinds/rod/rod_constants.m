@@ -17,7 +17,7 @@ function constants = rod_constants (scene, model)
   endif
   constants.gravity = scene.gravity;
   constants.moment = watched_load ("moment", scene.moment);
-  constants.force = watched_load ("force", scene.force);
+  constants.force = watched_columns ("force", scene.force);
   constants.pulls_followers = ! isempty (scene.force) && ! isempty (model.followers);
   [~, constants.ends] = meet_breaks ([0, scene.duration], scene.moment_breaks);
   constants.point = model.force;
@@ -43,7 +43,7 @@ endfunction
 %! constants = rod_constants (scene, model);
 %! assert (constants.ends, [0, scene.moment_breaks, scene.duration]); assert (constants.gravity, scene.gravity);
 %! assert (constants.rod.damping, scene.rod.damping); assert (constants.rod.damping > 0);
-%! assert (constants.pulls_followers); assert (constants.force (1), [3 5]);
+%! assert (constants.pulls_followers); assert (constants.force (1), [3; 5]);
 %! assert (constants.moment (0.1), scene.moment (0.1)); assert (constants.point.station, 0.25);
 %! for name = {"follower_fd", "follower_fs", "follower_ff"}
 %!   assert (constants.point.(name{1}), model.arrays.(name{1}));

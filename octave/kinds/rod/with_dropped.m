@@ -18,7 +18,7 @@ function system = with_dropped (scene, model)
     bare = system.rate;
     system.rate = @(t, y) hinged (t, y, n, bare (t, y), constants);
   else
-    constants.rotation = scene.rotation;
+    constants.rotation = watched_columns ("rotation", scene.rotation);
     constants.rod.slope_1 = model.arrays.slope_1;
     constants.rod.slope_2 = model.arrays.slope_2;
     motion = system.motion;
@@ -43,7 +43,7 @@ endfunction
 function y_dot = in_hub (t, y, n, c)
   q = y(1:n,:);
   q_dot = y(n+1:2*n,:);
-  theta = at_times (c.rotation, t);
+  theta = c.rotation (t);
   [phi, phi_dot, gradient, acceleration] = rod_in_hub (theta(1,:), theta(2,:), struct ("V", q, "V_dot", q_dot), c.rod);
   [angle, angle_dot, by_slope, by_stretch, second_rate] = angle_at_O (q, q_dot, c.points);
   phi -= angle;

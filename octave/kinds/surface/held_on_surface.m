@@ -3,22 +3,24 @@
 ## What acts at places of the rod of a checked scene on a surface.  @var{base_at} (stations, weights) are its base
 ## functions there with weights (see @code{surface_basis}).
 ##
-## @var{loads}: stations (s-by-1, m), base there, values (a cell array of numbers or functions of t), and rows (which of
-## the 4s numbers force_1, force_2, force_3 and moment, each at all stations, they are).  @var{springs}: stations,
-## base, point (a row [x y z] each), stiffness, damping and rest (columns) and names.
+## @var{loads}: stations (s-by-1, m), base there, values (a cell array of functions of times, which return the numbers
+## of each time behind those of the one before), and rows (which of the 4s numbers force_1, force_2, force_3 and moment,
+## each at all stations, they are).  @var{springs}: stations, base, point (a row [x y z] each), stiffness, damping and
+## rest (columns) and names.
 ## @end deftypefn
 
 function [loads, springs] = held_on_surface (scene, base_at)
   l = scene.rod.length;
   held = {"moment", scene.moment, 0; "moment", scene.tip_moment, l; "force", scene.force, scene.force_station};
   names = {"moment", "tip_moment", "force"};
-  for k = 1:3
-    held{k,2} = watched_load (names{k}, held{k,2});
+  acts = cellfun (@(value) ! isnumeric (value) || any (value), held(:,2)).';
+  for k = find (acts)
+    held{k,2} = watched_columns (names{k}, held{k,2});
   endfor
+  held = held(acts,:);
   for joint = scene.joints(is_load (scene.joints))
     held(end+1,:) = {joint.kind, joint.value, joint.stations};
   endfor
-  held = held(cellfun (@(value) ! isnumeric (value) || any (value), held(:,2)),:);
   loads.stations = unique ([held{:,3}]).';
   loads.base = base_at (loads.stations, ones (size (loads.stations)));
   loads.values = held(:,2);

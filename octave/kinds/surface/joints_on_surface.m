@@ -2,7 +2,8 @@
 ## @deftypefn {} {[@var{joints}, @var{loads}] =} joints_on_surface (@var{scene})
 ## The joints of a @var{scene} of a rod on a surface with all their fields (see @code{joint_fields}), checked: forces,
 ## moments about the normal, and springs from a point in space, each at one of the rod's stations.  Values come back as
-## functions of t, points as rows [x y z]; @var{loads} are those that hang on time (see @code{load_list}).
+## functions of t as those of @code{joint_value}, points as rows [x y z]; @var{loads} are those that hang on time (see
+## @code{load_list}).
 ## @end deftypefn
 
 function [joints, loads] = joints_on_surface (scene)
@@ -12,12 +13,8 @@ function [joints, loads] = joints_on_surface (scene)
   joints = take_list (scene.joints, fields, "joints", "joint", @(joint, what) check_joint (joint, what, scene.rod));
   loads = joint_loads (joints, 3);
   for k = 1:numel (joints)
-    if (isnumeric (joints(k).value))
-      constant = joints(k).value(:).';
-      joints(k).value = @(t) constant;
-    else
-      joints(k).value = watched_load (sprintf ("joints(%d).value", k), joints(k).value);
-    endif
+    watched = watched_columns (sprintf ("joints(%d).value", k), joints(k).value);
+    joints(k).value = @(t) reshape (watched (t), 1, []);
   endfor
 endfunction
 
@@ -44,7 +41,7 @@ endfunction
 %!endfunction
 %!test # values are functions of t, and those that are no numbers are loads
 %! [joints, loads] = joints_on_surface (with (struct ("kind", "force", "stations", 1, "value", [1; 2; 3])));
-%! assert (joints.value (5), [1 2 3]); assert (isempty (loads)); assert (joints.point, [0 0 0]);
+%! assert (joints.value ([5 6]), [1 2 3 1 2 3]); assert (isempty (loads)); assert (joints.point, [0 0 0]);
 %! [joints, loads] = joints_on_surface (with (struct ("kind", "moment", "stations", 1, "value", @(t) t)));
 %! assert (joints.value (5), 5); assert (loads.name, "joints(1).value"); assert (loads.numbers, 1);
 %!error <joints\(1\).kind is "slider": a rod on a surface takes "force", "moment" and "spring">

@@ -16,7 +16,7 @@ function [Q, torque, force] = loads_on_surface (system, t, z)
   places = numel (loads.stations);
   values = zeros (4*places, numel (t));
   for k = 1:numel (loads.values)
-    values(loads.rows{k},:) += at_times (loads.values{k}, t);
+    values(loads.rows{k},:) += reshape (loads.values{k} (t), [], numel (t));
   endfor
   values = repmat (values, 1, columns (z)/numel (t));
   of = @(k) values((k - 1)*places + (1:places),:);

@@ -88,15 +88,15 @@ endfunction
 ## what moves the chart, and its rates, 3-by-m where it only turns, or 9-by-m; empty where nothing does
 function turn = turning_of (scene)
   turn = @(t, z) [];
-  rotation = watched_load ("rotation", scene.rotation);
-  place = watched_load ("place", scene.place);
+  rotation = watched_columns ("rotation", scene.rotation);
+  place = watched_columns ("place", scene.place);
   if (! isempty (place))
     if (isempty (rotation))
-      rotation = zeros (3, 1);
+      rotation = @(t) zeros (3, numel (t));
     endif
-    turn = @(t, z) repmat ([at_times(rotation, t); at_times(place, t)], 1, columns (z)/numel (t));
+    turn = @(t, z) repmat ([rotation(t); place(t)], 1, columns (z)/numel (t));
   elseif (! isempty (rotation))
-    turn = @(t, z) repmat (at_times (rotation, t), 1, columns (z)/numel (t));
+    turn = @(t, z) repmat (rotation (t), 1, columns (z)/numel (t));
   endif
 endfunction
 
