@@ -9,7 +9,8 @@
 ##
 ## @var{starts}: these states, and that at the end; @var{stages}: a cell of places and velocities, as @var{a};
 ## @var{tangents}: see @code{collocation_tangents}; of one step those of a step before, where they are given and h is
-## the same, are taken for as long as they serve.  @var{message}: why there are none, or "".
+## the same, are taken for as long as they serve, of several those of the first guess, where that is near.
+## @var{message}: why there are none, or "".
 ## @end deftypefn
 
 function [a, starts, stages, tangents, message] = collocation_stages (system, method, t, h, y, a, starts, size, ...
@@ -31,7 +32,8 @@ function [a, starts, stages, tangents, message] = collocation_stages (system, me
     elseif (! (change < 10*system.points(end)) && iteration > 1 || (iteration > 3 && rate > 0.9))
       return;
     endif
-    if (! (rate <= 0.2 || (known && iteration == 1)))
+    near = count > 1 && iteration == 2 && change < 1e-3*system.points(end);
+    if (! (near || rate <= 0.2 || (known && iteration == 1)))
       tangents = collocation_tangents (system, method, t, h, stages, a);
     endif
     [a, starts, moved] = newton_step (method, h, tangents, R, y(1:2*rows (a)), a, starts(:,1:count));

@@ -4,7 +4,8 @@
 ## Radau IIA of order 9 (see @code{radau_rule}) through all @var{times} (1-by-m, s) from the state @var{y} of a rod on
 ## a surface (see @code{surface_rod}): steps follow from the embedded formula of order 5, in @var{solver}.tolerance
 ## (m); frames are of the steps' polynomials.  Oscillations of stretching too fast for the steps die out.  Where another
-## motion leads (see led_by of @code{kind_of}), eight steps are solved at once, or fewer after some that failed.
+## motion leads (see led_by of @code{kind_of}), or many short steps are to go, eight are solved at once, or fewer after
+## some that failed.
 ## @end deftypefn
 
 function [states, steps] = integrate_radau_residual (system, times, y, solver)
@@ -20,7 +21,8 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
   endif
   a_start = -system.mass_matrix (y(1:n)) \ system.residual (t, y(1:n), y(n+1:2*n), zeros (n, 1));
   steps = refused = 0;
-  most = at_once = 1 + 7*led;
+  at_once = 1 + 7*led;
+  velocity = y(n+1:2*n);  # on the average of the last steps
   patience = 1;
   alone = 0;  # so many steps are taken before that motion leads again
   while (t < times(end))
@@ -28,8 +30,13 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
     h = min (h, (times(end) - t)/to_go);
     [a, starts] = deal (repmat (a_start, 1, s), y(1:2*n));
     if (at_once > 1)
-      nodes = t + h*((0:min (to_go, at_once)-1) + method.nodes);
-      [a, starts] = guess_through (method, h, n, system.led_states (nodes(:).'));
+      count = min (to_go, at_once);
+      if (led)
+        nodes = t + h*((0:count-1) + method.nodes);
+        [a, starts] = guess_through (method, h, n, system.led_states (nodes(:).'));
+      else
+        [a, starts] = deal (zeros (n, s*count), [y(1:n) + velocity*h*(0:count-1); repmat(velocity, 1, count)]);
+      endif
     endif
     count = columns (starts);
     [a, starts, stages, tangents, message] = collocation_stages (system, method, t, h, y, a, starts, ...
@@ -53,6 +60,7 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
       inside = times > t & times <= t + kept*h*(1 + 1e-12);
       x = min (kept, (times(inside) - t)/h);
       states(:,inside) = within_step (method.points, h, starts, a, power, x);
+      velocity = (starts(1:n,kept+1) - y(1:n))/(kept*h);
       y = starts(:,kept+1);
       t += kept*h;
       system.refuse_singular (starts(1:n,2:kept+1), sprintf ("at t = %.4g s", t));
@@ -67,8 +75,8 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
     if (kept == count)
       if (alone > 0)
         alone--;
-      else
-        at_once = min (2*at_once, most);
+      elseif (led || to_go > 128)
+        at_once = min (2*at_once, 8);
       endif
       h *= min ([growths, 1.5]);
     else

@@ -53,3 +53,21 @@
 %!   "gauss", 1e-7, 213, 2016
 %!   "radau", 1e-4, 24,  511
 %!   "radau", 1e-7, 51, 1011});
+%!function evaluations = of_shaken (tolerance)   # a rod on a torus by Radau's method, evaluations a step
+%!  scene = struct ("surface", struct ("name", "torus", "core_radius", 1, "tube_radius", 0.4), "duration", 0.1, ...
+%!                  "rod", struct ("length", 0.5, "EA", 50, "EI", 0.1, "GJ", 0.3, "rhoA", 2), ...
+%!                  "ends", {{"hinge", "free"}}, "model", struct ("modes", [4 4]), "initial", struct ("angle", 1), ...
+%!                  "tip_moment", @(t) 0.02*sin (2000*t));
+%!  system = surface_rod (check_surface_scene (setfield (scene, "solver", "tolerance", 1e-9)));
+%!  seen = containers.Map ("evaluations", 0);
+%!  residual = system.residual;
+%!  system.residual = @(varargin) counted (seen, residual (varargin{:}));
+%!  [~, count] = integrate (system, [0 0.1], struct ("name", "radau", "tolerance", tolerance));
+%!  evaluations = seen("evaluations")/count.steps;
+%!endfunction
+%!function R = counted (seen, R)
+%!  seen("evaluations")++;
+%!endfunction
+%!test # few steps are solved one by one, many short ones eight at once
+%! assert (of_shaken (1e-8) > 3);
+%! assert (of_shaken (1e-10) < 1);
