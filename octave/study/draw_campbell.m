@@ -9,7 +9,7 @@ function job = draw_campbell (found, title, scratch)
   count = rows (found.f);
   unstable = zeros (0, 2);
   text = gnuplot_settings (struct ("title", title, "branches", count, "highest", 1.05*max (found.f(:)), ...
-                                   "fastest", max (found.speeds)));
+                                   "fastest", max (found.speeds), "speeds", numel (found.speeds)));
   for k = 1:count
     text = [text, gnuplot_block(sprintf ("branch_%d", k), {[found.speeds; found.f(k,:)].'})];
     grows = found.growth(k,:) > 0;
