@@ -16,7 +16,8 @@ everything = "plot tolerance with lines lc rgb light dt 2 title 'tolerance'"
 do for [k = 1:|curves|] {
   everything = everything.marks(sprintf("curve_%d", k), counts[k], 8 - k, k, curves[k])
 }
-everything = everything.marks("ode45", ode45, 5, 4, "ode45").ring
+everything = everything.marks("ode45", ode45, 5, 4, "ode45")
+everything = everything.marks("extrapolated", extrapolated, 4, 4, "ode45, extrapolated").ring
 
 do for [kind in "svg png"] {
   if (kind eq "svg") { set terminal svg size 1000,700 dynamic font "sans-serif,15" background "white" }
