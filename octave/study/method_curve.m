@@ -72,7 +72,7 @@ endfunction
 %! rows = curve ("ode45", 60, first);
 %! assert ([rows.parameter], 10.^(-2:-1:-9), 1e-12);
 %! assert (rows(3), first); assert ([rows.error_m] <= max ([rows.parameter], 1e-10));
-%! rows = curve ("rk4", 2, curve ("rk4", 2));
+%! rows = curve ("rk4", 6, curve ("rk4", 60));
 %! assert (issorted ([rows.parameter], "descend")); assert (numel (rows) > 1);
 %! assert (rows(1).error_m > rows(2).error_m);
 %! late = setfield (rod_kind (), "system", @(varargin) error ("toolchain:integration:time", "given up after 1 s\n"));
