@@ -34,21 +34,24 @@ endfunction
 
 ## what would take longer than the seconds left is given up
 function result = run_scene (scene, kind, output, name, command_with, start, left)
-  passed = @(dropped) strcmp (output.exact, "auto") && any (dropped > scene.solver.tolerance) ...
-                      && ! isempty (kind.exactly (scene));
   exactly = @(dropped) exact_run (dropped, scene, kind, output, name, command_with, start);
+  passed = @(dropped) false;
+  if (strcmp (output.exact, "auto") && ! isempty (kind.exactly (scene)))
+    passed = @(dropped) any (dropped > scene.solver.tolerance);
+  endif
   why_not = {};
 
   try
     [model, choice] = chosen_model (kind, scene, left, @(trial) passed (kind.bound (scene, trial)));
-    if (! isempty (choice.trial) && passed (kind.bound (scene, choice.trial)))
+    announce (choice);
+    if (choice.useless)
       [result, why_not] = exactly (kind.bound (scene, choice.trial));
       if (! isempty (result))
         return;
       endif
       [model, choice] = chosen_model (kind, scene, left);
+      announce (choice);
     endif
-    announce (choice);
     cellfun (@(text) say ("warning: %s", text), kind.foreseen (scene, model));
     run = setfield (balanced_run (kind, scene, model, choice, left), "rung", choice.rung);
   catch err

@@ -4,8 +4,8 @@
 ## Radau IIA of order 9 (see @code{radau_rule}) through all @var{times} (1-by-m, s) from the state @var{y} of a rod on
 ## a surface (see @code{surface_rod}): steps follow from the embedded formula of order 5, in @var{solver}.tolerance
 ## (m); frames are of the steps' polynomials.  Oscillations of stretching too fast for the steps die out.  Where another
-## motion leads (see led_by of @code{kind_of}), or many short steps are to go, eight are solved at once, or fewer after
-## some that failed.
+## motion leads (see led_by of @code{kind_of}), or steps are shorter than the duration by 128, eight are solved at once,
+## or fewer after some that failed.
 ## @end deftypefn
 
 function [states, steps] = integrate_radau_residual (system, times, y, solver)
@@ -22,9 +22,9 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
   a_start = -system.mass_matrix (y(1:n)) \ system.residual (t, y(1:n), y(n+1:2*n), zeros (n, 1));
   steps = refused = 0;
   at_once = 1 + 7*led;
-  velocity = y(n+1:2*n);  # on the average of the last steps
+  velocity = y(n+1:2*n);  # of the last steps, on the average: several that nothing leads are guessed to go on so
   patience = 1;
-  alone = 0;  # so many steps are taken before that motion leads again
+  alone = 0;  # so many steps are taken before several are again
   while (t < times(end))
     to_go = ceil ((times(end) - t)/h*(1 - 1e-9));
     h = min (h, (times(end) - t)/to_go);
@@ -42,7 +42,7 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
     [a, starts, stages, tangents, message] = collocation_stages (system, method, t, h, y, a, starts, ...
                                                                  1e-5*solver.tolerance);
     if (! isempty (message) && at_once > 1)
-      [at_once, alone] = deal (1, patience);  # it leads astray
+      [at_once, alone] = deal (1, patience);  # the guess leads astray
       patience = min (2*patience, 64);
       steps++;
       continue;
@@ -75,8 +75,10 @@ function [states, steps] = integrate_radau_residual (system, times, y, solver)
     if (kept == count)
       if (alone > 0)
         alone--;
-      elseif (led || to_go > 128)
+      elseif (led || 128*h < system.duration)
         at_once = min (2*at_once, 8);
+      else
+        at_once = 1;
       endif
       h *= min ([growths, 1.5]);
     else

@@ -58,7 +58,8 @@ function [window, why] = radau_window (system, rule, y, h, panels, guess, tolera
     settled = whole && change <= 0.05 && rate > 1/2;  # as near as rounding lets it, at a singular position
     window.converged = change < 1e-7 || (met && (change*rate <= 1e-3*(1 - rate) || settled));
     left = 15 - window.iterations;
-    hopeless = ! isfinite (change) || rate > 100 || left == 0 || (window.iterations > 3 && change*min (rate, 1)^left > 1);
+    grows = (change > 1 && rate > 100) || (window.iterations > 3 && change*min (rate, 1)^left > 1);
+    hopeless = ! isfinite (change) || left == 0 || grows;
   until (window.converged || hopeless)
   if (window.converged)
     why = "its steps shrank to nothing";

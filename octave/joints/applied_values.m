@@ -5,14 +5,15 @@
 ## @end deftypefn
 
 function values = applied_values (loads, t)
-  once = t;
+  asked = 1:numel (t);
   if (numel (t) > 1 && all (t == t(1)))  # one instant is asked for once
-    once = t(1);
+    asked(:) = 1;
+    t = t(1);
   endif
   values = cell (1, numel (loads));
   for j = 1:numel (loads)
-    values{j} = zeros (3, numel (t));
-    values{j}(loads(j).parts,:) = reshape (loads(j).value (once), [], numel (once)).*ones (1, numel (t));
+    values{j} = zeros (3, numel (asked));
+    values{j}(loads(j).parts,:) = reshape (loads(j).value (t), [], numel (t))(:,asked);
   endfor
 endfunction
 

@@ -8,7 +8,7 @@
 function [springs, loads] = list_springs (mechanism, joints)
   for j = 1:numel (joints)
     if (! isempty (joint_kind (joints(j).kind).springs))
-      joints(j).value = @(t) joints(j).rest*[1 1];
+      joints(j).value = @(t) joints(j).rest*ones (1, 2*numel (t));
       joints(j).constant = true;
     endif
   endfor

@@ -19,13 +19,25 @@ function values = columns_of (name, load, t)
   try
     each = arrayfun (load, t, "uniformoutput", false);
     values = reshape ([each{:}], [], numel (t));
-    good = all (isfinite (values)(:));
+    good = all (isfinite (values)(:)) && all (cellfun ("numel", each) == rows (values)) && rows (values) > 0;
   catch
     good = false;
   end_try_catch
   if (! good)
-    values = at_times (watched_load (name, load), t);
+    values = one_by_one (name, watched_load (name, load), t);
   endif
+endfunction
+
+function values = one_by_one (name, watched, t)
+  for k = 1:numel (t)
+    value = watched (t(k))(:);
+    if (isempty (value) || (k > 1 && numel (value) != rows (values)))
+      error ("toolchain:integration", ...
+             "%s gives %d numbers at t = %.9g, which the check of the scene did not see: mend that load\n", ...
+             name, numel (value), t(k));
+    endif
+    values(:,k) = value;
+  endfor
 endfunction
 
 %!assert (watched_columns ("force", []), [])
@@ -34,6 +46,9 @@ endfunction
 %!assert (watched_columns ("value", @(t) [t 1; 2*t 3]) ([5 6]), [5 6; 10 12; 1 1; 3 3])
 %!error <force gives a number that is not finite at t = 0.6, which>
 %! watched_columns ("force", @(t) [1, 1/(t != 0.6)]) ([0.5 0.6 0.7])
+%!error <force gives 3 numbers at t = 2, which the check>
+%! watched_columns ("force", @(t) ones (1, 1 + 2*(t > 1))) ([0 2])
+%!error <force gives 0 numbers at t = 1, which> watched_columns ("force", @(t) []) ([1 2])
 %!function value = no_wind (t)
 %!  if (t >= 0.7)
 %!    error ("no wind");

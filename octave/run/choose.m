@@ -10,8 +10,8 @@
 ## that is clearly poorer, and a warning says so.  No rung is run twice, and one that cannot be run is passed by; where
 ## none can, the error is the last one's.
 ##
-## A reference that is @var{useless} (reference), by default none, is taken at once: no rung would serve, so that how
-## small it may be matters to nobody.
+## The choice ends with the first reference that is @var{useless} (reference), by default none: where no rung is
+## believed to serve, how small it may be matters to nobody.
 ##
 ## @var{ladder} is a struct of share, parts (a cell array) and functions: first () = [rung, why] (a sentence, or
 ## empty), richer (rung), smaller (rung, part), the same rung where there is none, left_out (reference, rung, part),
@@ -20,7 +20,8 @@
 ## that it tells the rung's error, trial (rung, like) (see @code{try_rung}) and name (rung).
 ##
 ## @var{choice}: trial (the chosen one), reference (what it is compared with), rung, error_m (their distance), reason
-## (a sentence), tried (a struct array of rung, name, error_m, seconds, calls, message, chosen) and warnings (cellstr).
+## (a sentence), useless (whether the trial is so), tried (a struct array of rung, name, error_m, seconds, calls,
+## message, chosen) and warnings (cellstr).
 ## @end deftypefn
 
 function choice = choose (ladder, tolerance, useless = @(reference) false)
@@ -30,7 +31,8 @@ function choice = choose (ladder, tolerance, useless = @(reference) false)
   do
     references{end+1} = ladder.richer (guess);
     [reference, trials] = run_once (ladder, references{end}, trials);
-    if (isempty (reference.error) && useless (reference))
+    gives_up = isempty (reference.error) && useless (reference);
+    if (gives_up)
       trial = reference;
       break;
     endif
@@ -40,7 +42,9 @@ function choice = choose (ladder, tolerance, useless = @(reference) false)
 
   reason = sprintf ("the smallest within %.2g m of %s", limit, ladder.name (reference.rung));
   warnings = {};
-  if (isempty (trial))
+  if (gives_up)
+    reason = "the first that was run, no other is believed to serve";
+  elseif (isempty (trial))
     [trial, reference] = richest (ladder, references, trials);
     reason = "the largest, none was found to be within the tolerance";
     warnings = {sprintf(["the choice of the model gave up: %s, the largest, and %s are %.2g m apart, the tolerance" ...
@@ -52,7 +56,8 @@ function choice = choose (ladder, tolerance, useless = @(reference) false)
     reason = [why "; " reason];
   endif
   choice = struct ("trial", trial, "reference", reference, "rung", trial.rung, ...
-                   "error_m", distance (trial, reference), "reason", reason, "warnings", {warnings});
+                   "error_m", distance (trial, reference), "reason", reason, "warnings", {warnings}, ...
+                   "useless", gives_up);
   choice.tried = cellfun (@(trial) entry (ladder, trial, reference, choice.rung), trials);
 endfunction
 
@@ -119,7 +124,8 @@ endfunction
 %! assert (choice.reason, "they fall; the smallest within 0.0011 m of 8 terms");
 %! assert (sort ([choice.tried.rung]), [3 4 8]); assert ([choice.tried([choice.tried.chosen]).rung], 3);
 %!test # the first reference that is useless is taken, not one that failed
-%! assert ([choose(series (0.1.^(0:19)), 1.2e-3, @(trial) true).tried.rung], 4);
+%! choice = choose (series (0.1.^(0:19)), 1.2e-3, @(trial) true);
+%! assert ({[choice.tried.rung], choice.useless}, {4, true}); assert (isempty (strfind (choice.reason, "smallest")));
 %! choice = choose (series (0.1.^(0:19), 5), 1.2e-3, @(trial) true);
 %! assert ([choice.rung, numel(choice.tried)], [10 2]);
 %!test # where as much is needed as the reference has, the reference is the next guess

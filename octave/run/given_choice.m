@@ -10,7 +10,7 @@ function choice = given_choice (rung, note)
     reason = [reason "; " note];
   endif
   choice = struct ("trial", [], "reference", [], "rung", {rung}, "error_m", [], "reason", reason, "warnings", {{}}, ...
-                   "tried", []);
+                   "useless", false, "tried", []);
 endfunction
 
 %!assert (given_choice ({1, 2}, "").rung, {1, 2})

@@ -38,11 +38,11 @@ endfunction
 ## of numbers in a column, or a row with rates below
 function value = unit_by_number (now, before)
   one = @(number) (1:columns (now)) == number - before;
-  value = @(number) now + [one(number); zeros(rows (now) - 1, columns (now))];
+  larger = @(number) now + [one(number); zeros(rows (now) - 1, columns (now))];
   if (columns (now) == 1 && rows (now) > 1)
-    value = @(number) now + ((1:rows (now)).' == number - before);
+    larger = @(number) now + ((1:rows (now)).' == number - before);
   endif
-  value = @(numbers) [arrayfun(value, numbers, "uniformoutput", false){:}];
+  value = @(numbers) [arrayfun(larger, numbers, "uniformoutput", false){:}];
 endfunction
 
 function names = component_names (name, count, unit)

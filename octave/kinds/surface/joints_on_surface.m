@@ -42,6 +42,8 @@ endfunction
 %!test # values are functions of t, and those that are no numbers are loads
 %! [joints, loads] = joints_on_surface (with (struct ("kind", "force", "stations", 1, "value", [1; 2; 3])));
 %! assert (joints.value ([5 6]), [1 2 3 1 2 3]); assert (isempty (loads)); assert (joints.point, [0 0 0]);
+%! joints = joints_on_surface (with (struct ("kind", "force", "stations", 1, "value", @(t) [t; 2; 3])));
+%! assert (joints.value ([5 6]), [5 2 3 6 2 3]);  # whether it returns rows or columns
 %! [joints, loads] = joints_on_surface (with (struct ("kind", "moment", "stations", 1, "value", @(t) t)));
 %! assert (joints.value (5), 5); assert (loads.name, "joints(1).value"); assert (loads.numbers, 1);
 %!error <joints\(1\).kind is "slider": a rod on a surface takes "force", "moment" and "spring">
