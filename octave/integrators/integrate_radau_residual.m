@@ -127,8 +127,7 @@ endfunction
 %! assert (system.size (states(1:system.n,:) - expected(1:system.n,:)) < 1e-7);
 %! assert (states(end,:), expected(end,:), 1e-7);
 %!test # it takes its steps by the tolerance: of order 5 in what it estimates, and more in what it does
-%! scene = check_surface_scene (setfield (setfield (saddle (), "duration", 0.2), "model", "modes", [7 7]));
-%! system = surface_rod (scene);
+%! system = surface_rod (check_surface_scene (setfield (setfield (saddle (), "duration", 0.2), "model", "modes", [7 7])));
 %! tip = @(tolerance) integrate (system, [0 0.2], struct ("name", "radau", "tolerance", tolerance))(1:system.n,2);
 %! fine = tip (1e-10);
 %! for tolerance = [1e-4 1e-6]
@@ -139,8 +138,7 @@ endfunction
 %! system = surface_rod (scene);
 %! solver = struct ("name", "radau", "tolerance", 1e-5);
 %! [expected, alone] = integrate (system, [0 0.2], solver);
-%! system.led_states = @(t) 100*ones (2*system.n, numel (t));
-%! system.led_step = @(tolerance) 0.2/alone.steps;
+%! [system.led_states, system.led_step] = deal (@(t) 100*ones (2*system.n, numel (t)), @(tolerance) 0.2/alone.steps);
 %! [states, count] = integrate (system, [0 0.2], solver);
 %! assert (system.size (states(1:system.n,2) - expected(1:system.n,2)) < 1e-5);
 %! assert (count.steps < 2*alone.steps + 3);
