@@ -9,18 +9,19 @@
 ## @end deftypefn
 
 function [start, warnings] = assemble_mechanism (scene, mechanism, system)
-  [given_q, given_v] = placed_bodies (scene, mechanism);
-  [q, residual] = project_positions (system, 0, given_q, 1);
+  [given.q, given.v] = placed_bodies (scene, mechanism);
+  [q, residual] = project_positions (system, 0, given.q, 1);
   if (! (residual < 1e-9))
     refuse_open (scene, mechanism, system, q);
   endif
-  at = system.at (0, q, given_v);
+  at = system.at (0, q, given.v);
   [mass, jacobian] = system.matrices (at);
   refuse_dependent (system, 0, jacobian);
   refuse_coincident (scene.joints, mechanism, at.markers);
-  v = project_velocities (system, 0, q, given_v);
+  v = project_velocities (system, 0, q, given.v);
   start = struct ("q", q, "v", v, "lambda", zeros (system.constraint_count, 1), "W", 0, "D", 0);
-  warnings = [what_moved(q - given_q, v - given_v, mechanism, scene), loose_bodies(scene), locked(scene, system)];
+  warnings = [what_moved(given, start, mechanism, scene), loose_bodies(scene), locked(scene, system), ...
+              wound_springs(scene.joints, mechanism.springs.joint, at.springs.residual)];
 endfunction
 
 function refuse_open (scene, mechanism, system, q)
@@ -33,14 +34,19 @@ function refuse_open (scene, mechanism, system, q)
                 " does not close"], strjoin (names, ", "), max (residual), strjoin (loop, ", "));
 endfunction
 
-function warnings = what_moved (dq, dv, mechanism, scene)
+## ends and middles of rods
+function warnings = what_moved (given, start, mechanism, scene)
   warnings = {};
   for k = 1:numel (scene.bodies)
     index = index_of (mechanism, k);
-    l = scene.bodies(k).rod.length;
-    metres = abs ([dq(index), dv(index)]).*[ones(numel (index) - 3, 1); l; 1; 1];
-    moved = max (metres, [], 1);
-    if (any (moved > 1e-9*[l, max(l, 1)]))
+    model = mechanism.models{k};
+    motion = motion_of_rods ([given.q(index), start.q(index)], [given.v(index), start.v(index)]);
+    moved = [0 0];
+    for station = model.length*[0 0.5 1]
+      [x, y, x_dot, y_dot] = model.equations.point (motion, model.equations.marker (model, station));
+      moved = max (moved, [hypot(diff (x), diff (y)), hypot(diff (x_dot), diff (y_dot))]);
+    endfor
+    if (any (moved > 1e-9*[model.length, max(model.length, 1)]))
       warnings{end+1} = sprintf ("%s was moved by %.2g m and %.2g m/s to meet its joints", ...
                                  scene.bodies(k).name, moved);
     endif
@@ -123,3 +129,11 @@ endfunction
 %!                 struct("kind", "angle", "bodies", 1, "stations", 0, "value", @(t) [0.3 + 2*t, 2, 0])};
 %! [start, warnings] = assembled (scene, 0);
 %! assert (start.q, [0.3; 0; 0], 1e-12); assert (start.v(1), 2, 1e-12);
+%! assert (warnings, {"body 1 was moved by 0.06 m and 0.4 m/s to meet its joints"});
+%!test # a whole turn moves nothing, but winds a spring
+%! scene = setfield (bars (0.7), "bodies", bars (0.7).bodies(1));
+%! joint = @(kind, varargin) struct ("kind", kind, "bodies", 1, "stations", 0, varargin{:});
+%! scene.joints = {joint("revolute"), joint("torsion_spring", "stiffness", 1, "rest", 2*pi)};
+%! assert (strncmp (nthargout (2, @assembled, scene, 0), "joint 2 begins -6.28 rad from its rest", 38));
+%! scene.joints{2} = joint ("angle", "value", @(t) [2*pi + t^2, 2*t, 2]);
+%! assert (isempty (nthargout (2, @assembled, scene, 0)));
