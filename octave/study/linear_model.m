@@ -23,6 +23,7 @@ function [model, scene, output] = linear_model (scene = "paper", varargin)
   [wanted, options] = wanted_outputs (options);
   [scene, kind, output] = study_scene (scene, options, @scene_at_rest);
   found = at_rest (kind, scene, time, @(found) found.vibrations.omega(1:min (end, 6)));
+  cellfun (@(text) say ("warning: %s", text), slowly_converging (max (found.change), "a frequency by %.2g of itself"));
   [unit, model.inputs, model.driven] = unit_inputs (scene, time);
   unit.duration = numel (model.inputs) + 1;
   rods = model_of (kind, unit, found.functions);
