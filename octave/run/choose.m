@@ -47,10 +47,10 @@ function choice = choose (ladder, tolerance, useless = @(reference) false)
   elseif (isempty (trial))
     [trial, reference] = richest (ladder, references, trials);
     reason = "the largest, none was found to be within the tolerance";
-    warnings = {sprintf(["the choice of the model gave up: %s, the largest, and %s are %.2g m apart, the tolerance" ...
-                         " is %.2g m: take a larger tolerance, smoother loads, or state model.modes"], ...
+    warnings = {sprintf(["the choice of the model gave up: %s, the largest, and %s are %.2g m apart, at most" ...
+                         " %.2g m were wanted: take a larger tolerance, smoother loads, or state model.modes"], ...
                         ladder.name (trial.rung), ladder.name (reference.rung), distance (trial, reference), ...
-                        tolerance)};
+                        limit)};
   endif
   if (! isempty (why))
     reason = [why "; " reason];
@@ -142,7 +142,7 @@ endfunction
 %! choice = choose (series (1./(1:20)), 1e-3);
 %! assert (choice.rung, 20); assert (choice.error_m, sum (1./(11:20)), 1e-12);
 %! assert (choice.warnings, {["the choice of the model gave up: 20 terms, the largest, and 10 terms are 0.67 m" ...
-%!   " apart, the tolerance is 0.001 m: take a larger tolerance, smoother loads, or state model.modes"]});
+%!   " apart, at most 0.00095 m were wanted: take a larger tolerance, smoother loads, or state model.modes"]});
 %! assert (isempty (strfind (choice.reason, "smallest")));
 %!test # what only the last could do is compared with nothing
 %! choice = choose (series (0.1.^(0:19), 20), 1e-3);

@@ -12,7 +12,7 @@ function [scene, lacks] = exact_bodies (scene)
                                      body.initial.V2_dot(:)]), scene.bodies);
   thick = arrayfun (@(body) too_thick (body.rod, rod_section (body.rod, body.model)), scene.bodies);
   if (all (rigid))
-    [scene, lacks] = lacking ("rods that bend");
+    [scene, lacks] = lacking ("rods with modes = [0 0] alone");
   elseif (any (deformed & ! rigid))
     [scene, lacks] = lacking ("amplitudes of modes as its start");
   elseif (any (thick & ! rigid))
@@ -37,7 +37,7 @@ endfunction
 %! scene = chain (1);
 %! scene.bodies{1}.model.modes = [0 0];
 %! [none, lacks] = exact_bodies (check_mechanism (scene));
-%! assert ({none, lacks}, {[], "rods that bend"});
+%! assert ({none, lacks}, {[], "rods with modes = [0 0] alone"});
 %! scene.bodies{1}.model.modes = "auto";
 %! there = setfield (check_mechanism (scene), "initial", "from", "output/there");
 %! assert (nthargout (2, @exact_bodies, there), "another run's end as its start");
