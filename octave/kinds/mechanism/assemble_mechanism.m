@@ -21,6 +21,7 @@ function [start, warnings] = assemble_mechanism (scene, mechanism, system)
   v = project_velocities (system, 0, q, given.v);
   start = struct ("q", q, "v", v, "lambda", zeros (system.constraint_count, 1), "W", 0, "D", 0);
   warnings = [what_moved(given, start, mechanism, scene), loose_bodies(scene), locked(scene, system), ...
+              jerked_rods(scene, mechanism.constraints, at.constraints.velocity), ...
               wound_springs(scene.joints, mechanism.springs.joint, at.springs.residual)];
 endfunction
 
