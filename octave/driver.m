@@ -35,14 +35,12 @@ endfunction
 ## what would take longer than the seconds left is given up
 function result = run_scene (scene, kind, output, name, command_with, start, left)
   exactly = @(dropped) exact_run (dropped, scene, kind, output, name, command_with, start);
-  passed = @(dropped) false;
-  if (strcmp (output.exact, "auto") && ! isempty (kind.exactly (scene)))
-    passed = @(dropped) any (dropped > scene.solver.tolerance);
-  endif
+  by_itself = strcmp (output.exact, "auto");
+  passed = @(dropped) any (dropped > scene.solver.tolerance) && ! isempty (kind.exactly (scene));
   why_not = {};
 
   try
-    [model, choice] = chosen_model (kind, scene, left, @(trial) passed (kind.bound (scene, trial)));
+    [model, choice] = chosen_model (kind, scene, left, @(trial) by_itself && passed (kind.bound (scene, trial)));
     announce (choice);
     if (choice.useless)
       [result, why_not] = exactly (kind.bound (scene, choice.trial));
@@ -59,7 +57,7 @@ function result = run_scene (scene, kind, output, name, command_with, start, lef
     rethrow (err);
   end_try_catch
   summary = summarise (kind, name, scene, run, choice);
-  if (isempty (why_not) && passed (summary.dropped_m))
+  if (isempty (why_not) && by_itself && passed (summary.dropped_m))
     [result, why_not] = exactly (summary.dropped_m);
     if (! isempty (result))
       return;

@@ -9,10 +9,7 @@ function values = at_times (f, t)
     values = repmat (f(:), 1, numel (t));
     return;
   endif
-  values = f (t(1))(:);
-  for k = 2:numel (t)
-    values(:,k) = f (t(k))(:);
-  endfor
+  values = [arrayfun(@(t) f (t)(:), t, "uniformoutput", false){:}];
 endfunction
 
 %!assert (at_times (@(t) [t, 2*t], [1 2 3]), [1 2 3; 2 4 6])

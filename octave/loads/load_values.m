@@ -31,8 +31,7 @@ function [values, good] = all_at_once (load, times)
     if (load.vectorised)
       values = load.at (times);
     else
-      each = arrayfun (load.at, times, "uniformoutput", false);
-      values = reshape ([each{cellfun("numel", each) == load.numbers}], load.numbers, []);
+      values = at_times (load.at, times);
     endif
     good = isnumeric (values) && isreal (values) && isequal (size (values), [load.numbers, numel(times)]) ...
            && all (isfinite (values)(:));

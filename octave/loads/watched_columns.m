@@ -17,9 +17,8 @@ endfunction
 ## in one call; one by one only to tell what is bad
 function values = columns_of (name, load, t)
   try
-    each = arrayfun (load, t, "uniformoutput", false);
-    values = reshape ([each{:}], [], numel (t));
-    good = all (isfinite (values)(:)) && all (cellfun ("numel", each) == rows (values)) && rows (values) > 0;
+    values = at_times (load, t);
+    good = columns (values) == numel (t) && rows (values) > 0 && all (isfinite (values)(:));
   catch
     good = false;
   end_try_catch
