@@ -24,7 +24,7 @@ draw_or_follow = $(if $(FUNCTION)$(ARGUMENT),argument_way (getenv ("FUNCTION"), 
 	conditioning check check-slurm check-ssh map systems pairs mutants fuzz clean dist
 
 help:
-	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg' \
+	@echo 'make setup       install what is missing: maxima, gawk, octave, gnuplot, ffmpeg, on Debian OpenBLAS' \
 		'[SWEEP=yes: GNU parallel, for sweeps]'
 	@echo 'make simulate    simulate and draw SCENE=paper (or a file)' \
 		'[MODES="7 7" SOLVER=ode45 TOLERANCE=1e-6 SIZE=1920x1080 OUTPUT=folder PICTURES=no DENSE=1000 EXACT=yes PIECES=4]'
