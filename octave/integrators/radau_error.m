@@ -12,11 +12,11 @@
 
 function ratio = radau_error (system, rule, factors, h, x, start, tolerance)
   beyond = @(x, start, rate) factors.M*((reshape (x, [], numel (rule.c)) - start(:))*rule.e.'/h + rate(:));
-  none = @(m) zeros (m, 1);
-  off = radau_solve (factors, 1, {beyond(x.q, start.q, start.v), beyond(x.v, start.v, start.a), ...
-                                  none(factors.ties_count), none(factors.ties_count), none(rows (factors.stiff))});
-  off = [system.q_points*reshape(off{1}, system.n, []); h*system.q_points*reshape(off{2}, system.n, [])];
-  ratio = max (abs (off), [], 1)/tolerance;
+  [q, v, lambda, mu, sigma] = factors.parts{:};
+  no_forces = zeros (numel ([lambda, mu, sigma]), 1);
+  off = radau_solve (factors, 1, [beyond(x.q, start.q, start.v); beyond(x.v, start.v, start.a); no_forces]);
+  points = @(off) system.q_points*reshape (off, system.n, []);
+  ratio = max (abs ([points(off(q)); h*points(off(v))]), [], 1)/tolerance;
 endfunction
 
 %!function [ratio, rule, g] = of_powers (m, k, h, part = 1)

@@ -5,9 +5,10 @@
 ## @code{radau_matrix}, which says what the others are, for the real eigenvalue of the @var{rule} and for one of each
 ## pair, all panels' blocks along the diagonals.
 ##
-## A struct of stages and ties, as @code{radau_solve} takes them, ties_count, unit and compliance as
-## @code{radau_matrix} has them, by_start (1-by-stages), what of a panel's start is in the rates at its stages, and
-## transfer (2n-by-2n-by-panels), what a change of (q; v) at a panel's start does to its end.
+## A struct of stages and tie, as @code{radau_solve} takes them, parts (which rows belong to q, v, lambda, mu and the
+## tensions, a cell each), unit and compliance as @code{radau_matrix} has them; for several panels also transfer
+## (2n-by-2n-by-panels), what a change of (q; v) at a panel's start does to its end, and in the stages by_start
+## (rows-by-2n), what it does there.
 ##
 ## What positions are off their constraints by does not hang on the forces: with q = v/g + d the matrix [M J'; J 0]
 ## gives d and mu, and one of the size of the accelerations' equations the rest.
@@ -15,51 +16,46 @@
 
 function factors = radau_factors (rule, h, M, K, D, J, S, springs, panels)
   [~, unit, compliance] = radau_matrix (0, h, M, K, D, J, S, springs);
+  n = rows (M);
   c = rows (J);
   e = rows (S);
   diagonal = @(x) spdiags (x(:), 0, e, e);
-  factors = struct ("h", h, "unit", unit, "compliance", compliance, "M", M, "K", K, "ties_count", c);
-  factors.by_start = sum (rule.inverse, 2).'/h;
+  factors = struct ("h", h, "unit", unit, "compliance", compliance, "M", M, "K", K);
+  factors.parts = mat2cell (1:2*(n + c) + e, 1, [n n c c e]);
   factors.stiff = diagonal (compliance.*springs.stiffness)*S;
-  factors.damped = diagonal (compliance.*springs.damping)*S;
+  damped = diagonal (compliance.*springs.damping)*S;
   J *= unit;
-  factors.ties = factorised ([M, J.'; J, sparse(c, c)]);
+  factors.tie = sparse_solver ([M, J.'; J, sparse(c, c)]);
   into_eigenvectors = inv (rule.T).';
   for i = 1:(numel (rule.c) + 1)/2
     k = 2*i - 2 + (i == 1);
-    g = rule.eigenvalues(k)/h;
-    stage = factorised ([g*M + D + K/g, J.', unit*S.'
-                         J, sparse(c, c + e)
-                         -factors.stiff/g - factors.damped, sparse(e, c), unit*diagonal(compliance)]);
-    stage.g = g;
+    stage.g = rule.eigenvalues(k)/h;
+    stage.solve = sparse_solver ([stage.g*M + D + K/stage.g, J.', unit*S.'
+                                  J, sparse(c, c + e)
+                                  -factors.stiff/stage.g - damped, sparse(e, c), unit*diagonal(compliance)]);
     stage.onto = into_eigenvectors(:,k);
     stage.from = (1 + (i > 1))*rule.T(:,k).';  # with what the other of the pair has
     factors.stages{i} = stage;
   endfor
-  factors.transfer = [];
   if (panels > 1)
-    factors.transfer = transfer_matrices (factors, panels);
+    factors = with_starts (factors, panels, sum (rule.inverse, 2).'/h);
   endif
 endfunction
 
-function f = factorised (matrix)
-  [f.L, f.U, f.rows, f.columns] = lu (matrix, "vector");
-endfunction
-
-function transfer = transfer_matrices (factors, panels)
-  N = rows (factors.M);
-  n = N/panels;
-  starts = full (factors.M*repmat (speye (n), panels, 1));
-  no_starts = 0*starts;
-  none = @(m) zeros (m, 2*n);
+## panels' starts are in the rates at their stages by these weights
+function factors = with_starts (factors, panels, weights)
+  [q, v, ~, mu] = factors.parts{:};
+  n = numel (q)/panels;
+  right = zeros (sum (cellfun (@numel, factors.parts)), 2*n);
+  right(q,1:n) = right(v,n+1:end) = full (factors.M*repmat (speye (n), panels, 1));
+  tied = [factors.tie(right([q, mu],1:n)), zeros(numel ([q, mu]), n)];
   ends = 0;
   for i = 1:numel (factors.stages)
-    by_start = factors.by_start*factors.stages{i}.onto;
-    x = radau_solve (factors, i, {by_start*[starts, no_starts], by_start*[no_starts, starts], ...
-                                  none(factors.ties_count), none(factors.ties_count), none(rows (factors.stiff))});
-    ends += real (factors.stages{i}.from(end)*[x{1}; x{2}]);
+    by = weights*factors.stages{i}.onto;
+    factors.stages{i}.by_start = by*radau_solve (factors, i, right, tied);
+    ends += real (factors.stages{i}.from(end)*factors.stages{i}.by_start([q, v],:));
   endfor
-  transfer = reshape (permute (reshape (ends, n, panels, 2, 2*n), [1 3 4 2]), 2*n, 2*n, panels);
+  factors.transfer = reshape (permute (reshape (ends, n, panels, 2, 2*n), [1 3 4 2]), 2*n, 2*n, panels);
 endfunction
 
 %!test # a free mass goes on from where it starts, and one on a stiff spring and damper is back at its place at once

@@ -1,23 +1,24 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{x} =} radau_solve (@var{factors}, @var{i}, @var{r})
-## The @var{i}th of the matrices that @code{radau_factors} has factorised, under @var{r}: both are cells of the parts
-## that belong to q, v, lambda, mu and the springs' tensions (as @code{radau_matrix} has them), whose columns are
-## solved for.
+## @deftypefn {} {@var{x} =} radau_solve (@var{factors}, @var{i}, @var{r}, @var{tied})
+## The @var{i}th of the matrices that @code{radau_factors} has factorised, under the columns of @var{r}: rows of q, v,
+## lambda, mu and the springs' tensions, as @code{radau_matrix} has them; @var{tied}, where it is known, what they are
+## off their constraints by, and mu.
 ## @end deftypefn
 
-function x = radau_solve (factors, i, r)
+function x = radau_solve (factors, i, r, tied = off_constraints (factors, i, r))
   stage = factors.stages{i};
-  n = rows (factors.M);
-  ties = solved (factors.ties, [r{1}; stage.g*factors.h*r{3} - r{4}]);
-  d = ties(1:n,:)/stage.g;
-  rest = solved (stage, [r{2} - factors.K*d; r{4}; r{5} + factors.stiff*d]);
-  v = rest(1:n,:);
-  c = rows (r{3});
-  x = {v/stage.g + d, v, rest(n+1:n+c,:), ties(n+1:end,:), rest(n+c+1:end,:)};
+  [q, v, lambda, mu, sigma] = factors.parts{:};
+  n = numel (q);
+  d = tied(1:n,:)/stage.g;
+  rest = stage.solve ([r(v,:) - factors.K*d; r(mu,:); r(sigma,:) + factors.stiff*d]);
+  rates = rest(1:n,:);
+  c = n + numel (lambda);
+  x = [rates/stage.g + d; rates; rest(n+1:c,:); tied(n+1:end,:); rest(c+1:end,:)];
 endfunction
 
-function x = solved (f, right)
-  x(f.columns,:) = f.U \ (f.L \ right(f.rows,:));
+function tied = off_constraints (factors, i, r)
+  [q, ~, lambda, mu] = factors.parts{:};
+  tied = factors.tie ([r(q,:); factors.stages{i}.g*factors.h*r(lambda,:) - r(mu,:)]);
 endfunction
 
 %!test # as the whole matrix does, for two panels with a joint and a spring each
@@ -28,8 +29,7 @@ endfunction
 %! rule = radau_rule (3);
 %! factors = radau_factors (rule, 0.5, M, K, D, J, S, springs, 2);
 %! for i = 1:2
-%!   r = {rand(6, 2), rand(6, 2), rand(2, 2), rand(2, 2), rand(2, 2)};
-%!   x = radau_solve (factors, i, r);
+%!   r = rand (18, 2);
 %!   matrix = radau_matrix (rule.eigenvalues(i)/0.5, 0.5, M, K, D, J, S, springs);
-%!   assert (matrix*vertcat (x{:}), vertcat (r{:}), 1e-12);
+%!   assert (matrix*radau_solve (factors, i, r), r, 1e-12);
 %! endfor

@@ -6,28 +6,36 @@
 ## @end deftypefn
 
 function step = radau_step (factors, residual, panels)
-  step = of_stages (factors, residual);
-  if (panels == 1)
-    return;
+  stages = columns (factors.stages{1}.from);
+  residual = vertcat (cellfun (@(r) reshape (r, [], stages), residual, "uniformoutput", false){:});
+  of_stage = arrayfun (@(i) radau_solve (factors, i, residual*factors.stages{i}.onto), ...
+                       1:numel (factors.stages), "uniformoutput", false);
+  if (panels > 1)
+    of_stage = with_starts (factors, of_stage, panels);
   endif
-  ends = [reshape(step{1}(:,end), [], panels); reshape(step{2}(:,end), [], panels)];
+  step = 0;
+  for i = 1:numel (of_stage)
+    step += real (of_stage{i}*factors.stages{i}.from);
+  endfor
+  step = mat2cell (step, cellfun (@numel, factors.parts), columns (step));
+endfunction
+
+## what the panels before do to each
+function of_stage = with_starts (factors, of_stage, panels)
+  [q, v] = factors.parts{1:2};
+  ends = 0;
+  for i = 1:numel (of_stage)
+    ends += real (factors.stages{i}.from(end)*of_stage{i}([q, v]));
+  endfor
+  ends = reshape (permute (reshape (ends, [], panels, 2), [1 3 2]), [], panels);
   for p = 2:panels
     ends(:,p) += factors.transfer(:,:,p)*ends(:,p-1);
   endfor
-  starts = [zeros(rows (ends), 1), ends(:,1:end-1)];
-  half = rows (ends)/2;
-  moved = cellfun (@(r) 0*r, residual, "uniformoutput", false);
-  moved{1} = factors.M*starts(1:half,:)(:)*factors.by_start;
-  moved{2} = factors.M*starts(half+1:end,:)(:)*factors.by_start;
-  step = cellfun (@plus, step, of_stages (factors, moved), "uniformoutput", false);
-endfunction
-
-function step = of_stages (factors, residual)
-  step = {0; 0; 0; 0; 0};
-  for i = 1:numel (factors.stages)
-    stage = factors.stages{i};
-    x = radau_solve (factors, i, cellfun (@(r) r*stage.onto, residual, "uniformoutput", false));
-    step = cellfun (@(sum, x) sum + real (x*stage.from), step, x(:), "uniformoutput", false);
+  starts = [zeros(rows (ends), 1), ends(:,1:end-1)].';
+  panel = cellfun (@(part) repelem (1:panels, numel (part)/panels), factors.parts, "uniformoutput", false);
+  starts = starts([panel{:}],:);
+  for i = 1:numel (of_stage)
+    of_stage{i} += sum (factors.stages{i}.by_start.*starts, 2);
   endfor
 endfunction
 
@@ -37,7 +45,7 @@ endfunction
 %! [M, K, none] = deal (speye (2), k*speye (2), sparse (2, 2));
 %! springs = struct ("stiffness", zeros (0, 2), "damping", zeros (0, 2));
 %! factors = radau_factors (rule, h, M, K, none, sparse (0, 2), sparse (0, 2), springs, 2);
-%! moved = {[1; 0]*factors.by_start, zeros(2, 5), zeros(0, 5), zeros(0, 5), zeros(0, 5)};  # from x = 1
+%! moved = {[1; 0]*sum(rule.inverse, 2).'/h, zeros(2, 5), zeros(0, 5), zeros(0, 5), zeros(0, 5)};  # from x = 1
 %! step = radau_step (factors, moved, 2);
 %! assert (step{1}, cos (2*h*[rule.c; 1 + rule.c]), 1e-9);
 %! assert (step{2}, -2*sin (2*h*[rule.c; 1 + rule.c]), 1e-9);

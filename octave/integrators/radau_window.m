@@ -43,7 +43,7 @@ function [window, why] = radau_window (system, rule, y, h, panels, guess, tolera
     if (whole)
       step = radau_whole_step (system, rule, h, panels, at, x, residual);
     else
-      step = radau_step (factors, cellfun (@(r) reshape (r, [], s), residual, "uniformoutput", false), panels);
+      step = radau_step (factors, residual, panels);
     endif
     step = cellfun (@(d) reshape (d, [], panels*s), step, "uniformoutput", false);
     x.q += step{1};
