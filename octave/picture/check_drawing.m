@@ -8,6 +8,7 @@ function check_drawing (drawing)
   frames = numel (drawing.time);
   check_fields (struct ("x", drawing.hinges.x, "y", drawing.hinges.y), "hinges.", frames);
   check_fields (struct ("time", drawing.time, "moment", drawing.moment), "", frames);
+  check_fields (rmfield (field_or (drawing, "springs", struct ("shape", [])), "shape"), "springs.", frames);
   for i = 1:numel (drawing.bodies)
     body = rmfield (drawing.bodies(i), "half_height");
     if (isempty (body.stress))
@@ -35,6 +36,10 @@ endfunction
 %! drawing = sample_drawing (2);
 %! drawing.panels = [];
 %! drawing.bodies(1).stress = [];
+%! check_drawing (drawing);
+%!error <draw_pictures: springs.to_x must be finite, with 3 frames>
+%! drawing = sample_drawing (3);
+%! drawing.springs = struct ("x", ones (1, 3), "y", ones (1, 3), "to_x", NaN (1, 3), "to_y", ones (1, 3), "shape", {{"coil"}});
 %! check_drawing (drawing);
 %!error <draw_pictures: moment must be finite, with 3 frames>
 %! drawing = sample_drawing (3);

@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{job} =} draw_figure3 (@var{drawing}, @var{scratch})
 ## The paper's figure 3: all of @var{drawing} (see @code{draw_pictures}) in one picture, @file{figure3.svg},
 ## @file{figure3.png} and @file{figure3.pdf} beside the folder @var{scratch}, which takes the data. The bodies stand
-## there at up to 13 even times, shaded from the first to the last. They are there when @var{job} has ended (see
-## @code{finish_tool}).
+## there at up to 13 even times, shaded from the first to the last, springs as they are at the last. They are there
+## when @var{job} has ended (see @code{finish_tool}).
 ## @end deftypefn
 
 function job = draw_figure3 (drawing, scratch)
@@ -25,13 +25,14 @@ function job = draw_figure3 (drawing, scratch)
     endfor
     [ground, pin] = hinge_symbol (drawing.hinges, frame, camera.symbol);
     pins = [pins; pin];
+    springs = spring_symbol (drawing, frame, camera.symbol);
   endfor
   settings.outlines = numel (outlines);
   settings.times = num2cell (times);
   write_text (fullfile (scratch, "settings.gp"),
               [gnuplot_settings(settings), gnuplot_block("outlines", outlines), gnuplot_block("rests", rests), ...
                gnuplot_block("tip_path", {tip_path(drawing.bodies)}), gnuplot_block("ground", {ground}), ...
-               gnuplot_block("pins", {pins})]);
+               gnuplot_block("pins", {pins}), gnuplot_block("springs", {springs})]);
   job = start_gnuplot (scratch, "figure3.gp");
 endfunction
 

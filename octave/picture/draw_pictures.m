@@ -18,6 +18,9 @@
 ## a struct of @code{x}, @code{y} (H-by-F, m, as drawn; H may be 0) and, where not all stand on the ground,
 ## @code{ground} (H-by-1, logical): others are between bodies; where not all are pins, @code{shape} (H-by-1 cellstr):
 ## "pin", "block" (which slides), "weld", "hub" (which turns the rod);
+## @item springs
+## where there are some: a struct of @code{x}, @code{y}, @code{to_x}, @code{to_y} (S-by-F, m, as drawn: their ends) and
+## @code{shape} (S-by-1 cellstr): "coil", "spiral" (of a torsion spring);
 ## @item strips
 ## up to four panels (see @code{new_panel}) beside each frame, whose curves a mark runs along;
 ## @item panels

@@ -33,6 +33,7 @@ do for [kind in "svg png pdf"] {
        for [i=1:outlines] $rests index i-1 with lines lc rgb light lw 1 dt 2, \
        for [i=1:outlines] $outlines index i-1 with filledcurves closed fc palette cb times[i] \
                           lw 0.5 fs solid border lc rgb ink, \
+       $springs with lines lc rgb ink lw 1.5, \
        $pins with filledcurves closed fc rgb "white", \
        $pins with lines lc rgb ink lw 1.5
   unset output

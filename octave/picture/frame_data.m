@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{text} =} frame_data (@var{drawing}, @var{stress}, @var{camera}, @var{frame}, @var{tip})
 ## What one @var{frame} shows, as variables and data blocks of gnuplot: the clock, the moment's arrow, the number
-## @var{tip} of the last point of the tip's path (see @code{with_path}), the hinges, and an index for each body in
-## $rest and $outline. $pieces has an index for each body with a @var{stress} (see
-## @code{body_stress}): start, extent and stress of pieces of its centreline.
+## @var{tip} of the last point of the tip's path (see @code{with_path}), the hinges and springs, and an index for each
+## body in $rest and $outline. $pieces has an index for each body with a @var{stress} (see @code{body_stress}): start,
+## extent and stress of pieces of its centreline.
 ## @end deftypefn
 
 function text = frame_data (drawing, stress, camera, frame, tip = 0)
@@ -21,6 +21,7 @@ function text = frame_data (drawing, stress, camera, frame, tip = 0)
     endif
   endfor
   [ground, pins] = hinge_symbol (drawing.hinges, frame, camera.symbol);
+  springs = spring_symbol (drawing, frame, camera.symbol);
 
   moment = drawing.moment(frame);
   hinge = mean (vertcat (rest{:}));
@@ -43,7 +44,8 @@ function text = frame_data (drawing, stress, camera, frame, tip = 0)
 
   text = [gnuplot_settings(settings), ...
           gnuplot_block("rest", rest), gnuplot_block("outline", outline), gnuplot_block("pieces", pieces), ...
-          gnuplot_block("moment", {arrow}), gnuplot_block("ground", {ground}), gnuplot_block("pins", {pins})];
+          gnuplot_block("moment", {arrow}), gnuplot_block("ground", {ground}), gnuplot_block("pins", {pins}), ...
+          gnuplot_block("springs", {springs})];
 endfunction
 
 %!function text = data_of (drawing, frame)

@@ -33,6 +33,7 @@ do for [frame=first:last] {
        for [i=1:bodies] $outline index i-1 with filledcurves closed fc rgb body, \
        for [i=1:coloured] $pieces index i-1 with vectors nohead lc palette lw thickness[i], \
        for [i=1:bodies] $outline index i-1 with lines lc rgb ink lw 0.7, \
+       $springs with lines lc rgb ink lw 1.5, \
        $pins with filledcurves closed fc rgb "white", \
        $pins with lines lc rgb ink lw 1.5, \
        $moment with lines lt 2 lw 2.5

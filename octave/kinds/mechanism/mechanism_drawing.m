@@ -24,6 +24,8 @@ function drawing = mechanism_drawing (scene, mechanism, history)
   drawing.notes = stress_notes ([scene.bodies.rod], drawing.bodies);
   of_joints = mechanism.marker_of(:,1);
   drawing.hinges = pins_of_joints (scene.joints, history.markers.x(of_joints,:), history.markers.y(of_joints,:));
+  place = @(k, station) body_centreline (mechanism.models{k}, station, history.bodies(k), scene.zoom);
+  drawing.springs = springs_of_joints (scene.joints, place, frames);
   drawing.strips = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions"});
   curved = arrayfun (@(body) ! isempty (body.rod.curvature), scene.bodies);
   drawing.equations = {"mechanism"};
@@ -40,14 +42,15 @@ endfunction
 %! history = measure_mechanism (system, 0, start);
 %! drawing = mechanism_drawing (scene, system.mechanism, history);
 %! assert (numel (drawing.bodies), 3); assert (! isempty (drawing.bodies(1).x));
-%! assert (drawing.hinges.ground, [true; false; false]);
+%! assert (drawing.hinges.ground, [true; false; false; true]);  # the last one is a spring's
+%! assert (drawing.springs.shape, {"spiral"; "coil"});
 %! assert (drawing.equations, {"mechanism", "straight"});
 %!test # bodies of no height are drawn a hundredth of their length thick; curved ones have their equations
 %! [system, start, scene] = sample_mechanism ([0 1]);
 %! history = measure_mechanism (system, 0, start);
 %! drawing = mechanism_drawing (scene, system.mechanism, history);
 %! assert ([drawing.bodies.half_height], [1 1 1]*scene.bodies(1).rod.length/100, 1e-15);
-%! assert (drawing.moment, 0); assert (drawing.hinges.shape, {"pin"; "pin"; "block"});
+%! assert (drawing.moment, 0); assert (drawing.hinges.shape, {"pin"; "pin"; "block"; "pin"});
 %! scene.bodies(1).rod.half_height = 0.02;
 %! scene.bodies(1).rod.curvature = 1;
 %! drawing = mechanism_drawing (scene, system.mechanism, history);

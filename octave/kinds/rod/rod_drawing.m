@@ -30,6 +30,8 @@ function drawing = rod_drawing (scene, model, history)
     drawing.hinges.shape = {"hub"};
   endif
   drawing.hinges = with_pins (drawing.hinges, scene.joints, history.joint_points);
+  place = @(~, station) model.equations.centreline (model, station, history, scene.zoom);
+  drawing.springs = springs_of_joints (scene.joints, place, numel (history.t));
   drawing.strips = rod_strips (history, drawing.moment, undeformed_tip (model));
   drawing.equations = {"hinged", "straight"};
   if (! isempty (scene.rod.curvature))
@@ -53,10 +55,11 @@ endfunction
 %! assert (max (drawing.bodies.stress(:,2)), (1.2e11 + 2*8.1e10)*pi^2*1e-4*0.015, 1);  # (12), with the paper's EI
 %! assert (drawing.notes, {});
 %! assert (max (drawing.bodies.y(:,2)), 300e-4, 1e-12);
-%! scene.joints = struct ("kind", {"spring", "bushing"}, "bodies", [1 0]);
+%! scene.joints = struct ("kind", {"spring", "bushing"}, "bodies", [1 0], "stations", [0.2 0], "point", [7 8]);
 %! history.joint_points = struct ("x", [1 1; 2 3], "y", [4 4; 5 6]);
-%! hinges = rod_drawing (scene, model, history).hinges;
-%! assert (hinges.x, [0 0; 2 3]); assert (hinges.shape, {"pin"; "pin"});
+%! drawing = rod_drawing (scene, model, history);
+%! assert (drawing.hinges.x, [0 0; 2 3; 7 7]); assert (drawing.hinges.shape, {"pin"; "pin"; "pin"});
+%! assert ([drawing.springs.to_x, drawing.springs.to_y], [7 7 8 8]); assert (drawing.springs.x, [0.2 0.2], 1e-3);
 %!test # a hub, a curved rod, one of no height, and loads
 %! [scene, model] = sample_rod ([0 1]);
 %! history = setfield (setfield (sample_history (2), "V", [0, 1e-4]), "joint_points", []);

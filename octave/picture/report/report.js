@@ -44,7 +44,9 @@
         }
       }
     }
-    for (const p of data.backdrop.flatMap(pairs)) {
+    const beside = data.hinges.filter((hinge) => hinge.body < 0).flatMap((hinge) => hinge.x.map((x, f) =>
+      [x * data.unit, hinge.y[f] * data.unit]));
+    for (const p of data.backdrop.flatMap(pairs).concat(beside)) {
       for (let i = 0; i < 2; i++) { low[i] = Math.min(low[i], p[i]); high[i] = Math.max(high[i], p[i]); }
     }
     const margin = 0.12 * Math.max(high[0] - low[0], high[1] - low[1]);
@@ -117,11 +119,17 @@
       c.stroke();
     });
     const size = view.symbol * scale;
+    const placed = (point) => at(point.body < 0 ? [point.x[frame] * data.unit, point.y[frame] * data.unit] :
+                                 lines[point.body][point.point]);
+    c.strokeStyle = ink;
+    c.lineWidth = 1.3;
+    data.springs.forEach((spring) => {
+      const p = placed(spring.from);
+      path(c, spring.shape === "coil" ? coil(p, placed(spring.to), size) : spiral(p, size));
+      c.stroke();
+    });
     data.hinges.forEach((hinge) => {
-      const p = at(hinge.body < 0 ? [hinge.x[frame] * data.unit, hinge.y[frame] * data.unit] :
-                   lines[hinge.body][hinge.point]);
-      c.strokeStyle = ink;
-      c.lineWidth = 1.3;
+      const p = placed(hinge);
       if (hinge.ground) {
         path(c, [p, [p[0] - size, p[1] + 1.6 * size], [p[0] + size, p[1] + 1.6 * size], p]);
         for (let foot = -1; foot <= 1.2; foot += 0.5) {
@@ -136,10 +144,26 @@
       c.stroke();
     });
     if (data.moment && data.hinges.length) {
-      drawMoment(c, at(data.hinges[0].body < 0 ? [0, 0] : lines[data.hinges[0].body][data.hinges[0].point]),
-                 2.6 * size);
+      drawMoment(c, placed(data.hinges[0]), 2.6 * size);
     }
     if (data.gravity) { drawGravity(c, width, Math.sign(data.gravity), ink); }
+  }
+
+  function coil(from, to, size) {  // as spring_symbol.m
+    const way = [to[0] - from[0], to[1] - from[1]], length = Math.hypot(...way) || 1, points = [from];
+    const place = (along, aside) => points.push([from[0] + along * way[0] - aside * size * way[1] / length,
+                                                 from[1] + along * way[1] + aside * size * way[0] / length]);
+    place(0.15, 0);
+    for (let k = 1; k <= 12; k++) { place(0.15 + 0.7 * (k - 0.5) / 12, k % 2 ? 0.45 : -0.45); }
+    place(0.85, 0);
+    return [...points, to];
+  }
+
+  function spiral(p, size) {
+    return Array.from({ length: 61 }, (_, k) => {
+      const angle = 5 * Math.PI * k / 60, r = (0.4 + 0.7 * k / 60) * size;
+      return [p[0] + r * Math.cos(angle), p[1] - r * Math.sin(angle)];
+    });
   }
 
   function outline(c, p, size, shape) {
