@@ -4,14 +4,14 @@
 ## A scene, checked and with a title, its kind (see @code{kind_of}), where its files go (see @code{take_options}), and
 ## its @var{name} (see @code{load_scene}): @var{which} and @var{options} (a cell array) are arguments as for
 ## @code{driver}; @var{change} (scene) is what is made of the scene before it is checked.
-## With the option "exact" rods are geometrically exact (see exactly in @code{kind_of}); without it
+## output.given is the scene as it is stated.  With the option "exact" rods are geometrically exact (see exactly in @code{kind_of}); without it
 ## output.exact comes back as "auto" where a tolerance in metres is stated and nothing of the model, and as false.
 ## @end deftypefn
 
 function [scene, kind, output, name] = checked_scene (which, options, change = @(scene) scene)
   [scene, name] = load_scene (which);
   [scene, output] = take_options (scene, fullfile ("output", name), options);
-  given = scene;
+  output.given = scene;
   scene = change (scene);
   kind = kind_of (scene);
   if (isequal (output.exact, true))
@@ -20,7 +20,7 @@ function [scene, kind, output, name] = checked_scene (which, options, change = @
     scene = titled (kind.check (scene), name);
   endif
   if (isempty (output.exact))
-    output.exact = exact_by_default (given, kind.models (scene));
+    output.exact = exact_by_default (output.given, kind.models (scene));
   endif
 endfunction
 
@@ -64,7 +64,7 @@ endfunction
 %!test
 %! [scene, kind, output, name] = checked_scene (rmfield (swing (), "title"), {"modes", [0 1]});
 %! assert (scene.model.modes, [0 1]); assert (kind.name, "rod"); assert (scene.title, name);
-%! assert (output.folder, fullfile ("output", name));
+%! assert (output.folder, fullfile ("output", name)); assert (output.given.model, struct ("modes", [0 1]));
 %! assert (checked_scene ("swing", {}, @(scene) setfield (scene, "duration", 2)).duration, 2);
 %!test # exactly: on the plane, or not at all
 %! [scene, kind, output] = checked_scene ("swing", {"exact", true});

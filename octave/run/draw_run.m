@@ -1,12 +1,13 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{summary} =} draw_run (@var{folder}, @var{scene}, @var{summary}, @var{start}, @var{draw}, @
+## @deftypefn {} {@var{summary} =} draw_run (@var{folder}, @var{given}, @var{summary}, @var{start}, @var{draw}, @
 ##   @var{earlier})
 ## The pictures of the drawing that @var{draw} () returns (see @code{draw_pictures}), and the report, in the existing
-## @var{folder}; the report shows studies that the folder @var{earlier} has.  The @var{summary} comes back with the
-## seconds of each part, those since @var{start} (a tic), and with warnings of what could not be made.
+## @var{folder}; the report shows the scene as it was @var{given}, and studies that the folder @var{earlier} has.  The
+## @var{summary} comes back with the seconds of each part, those since @var{start} (a tic), and with warnings of what
+## could not be made.
 ## @end deftypefn
 
-function summary = draw_run (folder, scene, summary, start, draw, earlier = "")
+function summary = draw_run (folder, given, summary, start, draw, earlier = "")
   drawing_start = tic ();
   show_progress (sprintf ("drawing %d frames ", summary.frames));
   drawing = draw ();
@@ -24,7 +25,7 @@ function summary = draw_run (folder, scene, summary, start, draw, earlier = "")
   summary.seconds.total = toc (start);
   report_start = tic ();
   try
-    write_report (folder, drawing, scene, summary, earlier);
+    write_report (folder, drawing, given, summary, earlier);
   catch err
     [~, ~] = unlink (fullfile (folder, "report.html"));
     missing(end+1,:) = {"report.html", reason_of(err)};

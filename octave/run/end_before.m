@@ -47,8 +47,8 @@ function refuse_others (kind, scene, name, bodies)
   endif
   count = numel (kind.models (scene));
   if (bodies != count)
-    scene_error ("initial.from is \"%s\": that run had %d bodies, this one has %d: %s", scene.initial.from, bodies, ...
-                 count, remedy);
+    scene_error ("initial.from is \"%s\": that run had %s, this one has %d: %s", scene.initial.from, ...
+                 how_many (bodies, "body", "bodies"), count, remedy);
   endif
 endfunction
 
@@ -75,6 +75,6 @@ endfunction
 %!assert (end_before ([], struct ("initial", struct ("from", "equilibrium"))), [])
 %!error <that run was of the kind "exact", this one is of the kind "rod": EXACT=no runs it so> end_of ("exact", 3)
 %!error <of the kind "surface", this one is of the kind "rod": take the end of a run of the same> end_of ("surface", 3)
-%!error <that run had 1 bodies, this one has 2> end_of ("rod", 3, 2)
+%!error <that run had 1 body, this one has 2> end_of ("rod", 3, 2)
 %!error <its end.csv lacks the model of that run, which is to be run again>
 %! end_of ("rod", 3, 1, "rod: modes\n0.1\n1\n")

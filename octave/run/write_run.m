@@ -58,7 +58,7 @@ function summary = write_run (output, kind, scene, run, summary, start)
   endfunction
 
   function draw_all (aside)
-    summary = draw_run (aside, scene, summary, start, draw, folder);
+    summary = draw_run (aside, output.given, summary, start, draw, folder);
   endfunction
 
   function warn (template, message)

@@ -7,8 +7,8 @@
 
 function own = describe_mechanism (scene, run)
   [models, history] = deal (run.model.models, run.history);
-  own.model = sprintf ("%d bodies, %d coordinates, %d constraints", numel (scene.bodies), run.model.n, ...
-                       run.model.constraints.count);
+  own.model = strjoin ({how_many(numel (scene.bodies), "body", "bodies"), how_many(run.model.n, "coordinate"), ...
+                        how_many(run.model.constraints.count, "constraint")}, ", ");
   own.bodies = {scene.bodies.name};
   own.joints = {scene.joints(:).name};
   own.modes = cellfun (@(model) [model.rung.longitudinal, model.rung.bending], models, "uniformoutput", false);

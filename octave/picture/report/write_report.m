@@ -1,21 +1,22 @@
 ## -*- texinfo -*-
-## @deftypefn {} {} write_report (@var{folder}, @var{drawing}, @var{scene}, @var{summary}, @var{earlier})
+## @deftypefn {} {} write_report (@var{folder}, @var{drawing}, @var{given}, @var{summary}, @var{earlier})
 ## @file{report.html} in a @var{folder}, with @file{figure3.svg} and @file{history.svg} where they are there: one page
 ## that needs no other file and no network, made of the files beside this one. It animates @var{drawing} (see
-## @code{draw_pictures}) and tells what the @var{scene} and the @var{summary} (structs of any fields; see
+## @code{draw_pictures}) and tells what the scene as it was @var{given} and the @var{summary} (structs of any fields; see
 ## @code{summarise}) say.  Studies that the folder @var{earlier} has (default: none) are shown (see
 ## @code{earlier_studies}).
 ## @end deftypefn
 
-function write_report (folder, drawing, scene, summary, earlier = "")
+function write_report (folder, drawing, given, summary, earlier = "")
   picture = @(name, text) picture_or_word (fullfile (folder, [name ".svg"]), name, text);
   seconds = sprintf ("%.3g s", drawing.time(end) - drawing.time(1));
   panels = labels (drawing.panels);
 
   page.title = html_escape (drawing.title);
   page.warnings = warning_list (summary);
-  scene_text = "Animation of %s: %d bodies move for %s; the deformation is drawn %g times.";
-  page.scene_text = html_escape (sprintf (scene_text, drawing.title, numel (drawing.bodies), seconds, drawing.zoom));
+  scene_text = sprintf ("Animation of %s: %s in motion for %s; the deformation is drawn %g times.", drawing.title, ...
+                        how_many (numel (drawing.bodies), "body", "bodies"), seconds, drawing.zoom);
+  page.scene_text = html_escape (scene_text);
   page.strips_text = html_escape (["Over time: " labels(drawing.strips)]);
   page.figure3 = picture ("figure3", ["The bodies at even times over " seconds]);
   page.history = picture ("history", ["Over " seconds ": " panels]);
@@ -29,7 +30,7 @@ function write_report (folder, drawing, scene, summary, earlier = "")
   page.summary = html_table ({}, field_rows (without (summary, ...
                                                  {"tried", "warnings", "seconds", "command", "model_reason"})));
   page.seconds = html_table ({}, [fieldnames(summary.seconds), struct2cell(summary.seconds)]);
-  page.parameters = html_table ({"field", "value"}, field_rows (without (scene, {"exact"})));
+  page.parameters = html_table ({"field", "value"}, field_rows (given));
   page.equations = report_equations (drawing.equations);
   page.data = report_data (drawing);
   page.script = fileread (fullfile (fileparts (mfilename ("fullpath")), "report.js"));
@@ -130,7 +131,7 @@ endfunction
 %! html = report_of (drawing, @fileread);
 %! seconds = sprintf ("%.3g s", range (drawing.time));
 %! labels = @(panels) strjoin ({panels.label}, ", ");
-%! animation = "Animation of Rod with a half wave: 1 bodies move for %s; the deformation is drawn 300 times.";
+%! animation = "Animation of Rod with a half wave: 1 body in motion for %s; the deformation is drawn 300 times.";
 %! for text = {sprintf(animation, seconds)
 %!             ["Over time: " labels(drawing.strips)]; ["Over time: " labels(drawing.panels) "."]
 %!             ["The bodies at even times over " seconds]; ["Over " seconds ": " labels(drawing.panels)]
