@@ -2,8 +2,8 @@
 ## @deftypefn {} {} write_report (@var{folder}, @var{drawing}, @var{given}, @var{summary}, @var{earlier})
 ## @file{report.html} in a @var{folder}, with @file{figure3.svg} and @file{history.svg} where they are there: one page
 ## that needs no other file and no network, made of the files beside this one. It animates @var{drawing} (see
-## @code{draw_pictures}) and tells what the scene as it was @var{given} and the @var{summary} (structs of any fields; see
-## @code{summarise}) say.  Studies that the folder @var{earlier} has (default: none) are shown (see
+## @code{draw_pictures}) and tells what the scene as it was @var{given} and the @var{summary} (structs of any fields;
+## see @code{summarise}) say.  Studies that the folder @var{earlier} has (default: none) are shown (see
 ## @code{earlier_studies}).
 ## @end deftypefn
 
