@@ -5,7 +5,8 @@
 ## its @var{name} (see @code{load_scene}): @var{which} and @var{options} (a cell array) are arguments as for
 ## @code{driver}; @var{change} (scene) is what is made of the scene before it is checked.
 ## output.given is the scene as it is stated.  With the option "exact" rods are geometrically exact (see exactly in
-## @code{kind_of}); without it output.exact comes back as "auto" where a tolerance in metres is stated and nothing of the model, and as false.
+## @code{kind_of}); without it output.exact comes back as "auto" where a tolerance in metres is stated and nothing of
+## the model, and as false.
 ## @end deftypefn
 
 function [scene, kind, output, name] = checked_scene (which, options, change = @(scene) scene)

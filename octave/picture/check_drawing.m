@@ -9,6 +9,7 @@ function check_drawing (drawing)
   check_fields (struct ("x", drawing.hinges.x, "y", drawing.hinges.y), "hinges.", frames);
   check_fields (struct ("time", drawing.time, "moment", drawing.moment), "", frames);
   check_fields (rmfield (field_or (drawing, "springs", struct ("shape", [])), "shape"), "springs.", frames);
+  check_fields (field_or (drawing, "forces", struct ()), "forces.", frames);
   for i = 1:numel (drawing.bodies)
     body = rmfield (drawing.bodies(i), "half_height");
     if (isempty (body.stress))

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{text} =} frame_data (@var{drawing}, @var{stress}, @var{camera}, @var{frame}, @var{tip})
 ## What one @var{frame} shows, as variables and data blocks of gnuplot: the clock, the moment's arrow, the number
-## @var{tip} of the last point of the tip's path (see @code{with_path}), the hinges and springs, and an index for each
+## @var{tip} of the last point of the tip's path (see @code{with_path}), the hinges, springs and forces, and an index for each
 ## body in $rest and $outline. $pieces has an index for each body with a @var{stress} (see @code{body_stress}): start,
 ## extent and stress of pieces of its centreline.
 ## @end deftypefn
@@ -39,13 +39,14 @@ function text = frame_data (drawing, stress, camera, frame, tip = 0)
   if (moment != 0)
     settings.moment_label = sprintf ("%.3g %s", moment/scale, unit);
   endif
+  [arrows, settings.force_place, settings.force_label] = force_arrows (drawing, frame, camera);
   label_size = [5.5*numel(settings.moment_label), 11] * camera.pixel;
   settings.moment_place = place + label_size .* away;
 
   text = [gnuplot_settings(settings), ...
           gnuplot_block("rest", rest), gnuplot_block("outline", outline), gnuplot_block("pieces", pieces), ...
           gnuplot_block("moment", {arrow}), gnuplot_block("ground", {ground}), gnuplot_block("pins", {pins}), ...
-          gnuplot_block("springs", {springs})];
+          gnuplot_block("springs", {springs}), gnuplot_block("forces", {arrows})];
 endfunction
 
 %!function text = data_of (drawing, frame)

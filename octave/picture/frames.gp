@@ -23,6 +23,7 @@ do for [frame=first:last] {
   set label 3 zoom at screen R(25),T(104) right
   if (coloured) { set label 6 "largest\nbending\nstress, ".stress_unit at screen R(bar),T(scene_top + 85) }
   set label 4 moment_label at moment_place_low,moment_place_high center front
+  set label 7 force_label at force_place_low,force_place_high center front
   if (gravity) {
     set label 5 "{/:Italic g}" at screen R(bar - 17),T(scene_top + 33)
     set arrow 1 from screen R(bar - 5),T(scene_top + 5) to screen R(bar - 5),T(scene_top + 65) lw 2 lc rgb ink
@@ -36,7 +37,8 @@ do for [frame=first:last] {
        $springs with lines lc rgb ink lw 1.5, \
        $pins with filledcurves closed fc rgb "white", \
        $pins with lines lc rgb ink lw 1.5, \
-       $moment with lines lt 2 lw 2.5
+       $moment with lines lt 2 lw 2.5, \
+       $forces with lines lt 2 lw 2.5
 
   load here."strips.gp"
   unset multiplot

@@ -26,6 +26,7 @@ function drawing = mechanism_drawing (scene, mechanism, history)
   drawing.hinges = pins_of_joints (scene.joints, history.markers.x(of_joints,:), history.markers.y(of_joints,:));
   place = @(k, station) body_centreline (mechanism.models{k}, station, history.bodies(k), scene.zoom);
   drawing.springs = springs_of_joints (scene.joints, place, frames);
+  drawing.forces = forces_of_joints (scene.joints, place, history.t);
   drawing.strips = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions"});
   curved = arrayfun (@(body) ! isempty (body.rod.curvature), scene.bodies);
   drawing.equations = {"mechanism"};
@@ -43,7 +44,7 @@ endfunction
 %! drawing = mechanism_drawing (scene, system.mechanism, history);
 %! assert (numel (drawing.bodies), 3); assert (! isempty (drawing.bodies(1).x));
 %! assert (drawing.hinges.ground, [true; false; false; true]);  # the last one is a spring's
-%! assert (drawing.springs.shape, {"spiral"; "coil"});
+%! assert (drawing.springs.shape, {"spiral"; "coil"}); assert (rows (drawing.forces.x) > 0);
 %! assert (drawing.equations, {"mechanism", "straight"});
 %!test # bodies of no height are drawn a hundredth of their length thick; curved ones have their equations
 %! [system, start, scene] = sample_mechanism ([0 1]);

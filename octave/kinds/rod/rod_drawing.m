@@ -32,10 +32,22 @@ function drawing = rod_drawing (scene, model, history)
   drawing.hinges = with_pins (drawing.hinges, scene.joints, history.joint_points);
   place = @(~, station) model.equations.centreline (model, station, history, scene.zoom);
   drawing.springs = springs_of_joints (scene.joints, place, numel (history.t));
+  drawing.forces = forces_of_joints ([force_of(scene), scene.joints(:).'], place, history.t);
   drawing.strips = rod_strips (history, drawing.moment, undeformed_tip (model));
   drawing.equations = {"hinged", "straight"};
   if (! isempty (scene.rod.curvature))
     drawing.equations = {"hinged", "curved"};
+  endif
+endfunction
+
+## of the scene, as joints have it
+function joint = force_of (scene)
+  joint = scene.joints([]);
+  if (! isempty (scene.force))
+    joint(1).kind = "force";
+    joint.bodies = [1 0];
+    joint.stations = [scene.force_station, 0];
+    joint.value = @(t) at_times (scene.force, t);
   endif
 endfunction
 

@@ -1,18 +1,18 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{hinges}, @var{springs}] =} joint_data (@var{drawing}, @var{points}, @var{shown}, @var{unit})
-## The hinges and springs of a @var{drawing} (see @code{draw_pictures}) for @file{report.js}, cells: a hinge's shape and
-## whether it is on the ground, a spring's shape and its ends, from and to.
+## @deftypefn {} {[@var{hinges}, @var{springs}, @var{forces}] =} joint_data (@var{drawing}, @var{points}, @var{shown}, @var{unit})
+## The hinges, springs and forces of a @var{drawing} (see @code{draw_pictures}) for @file{report.js}, cells: a hinge's
+## shape and whether it is on the ground, a spring's shape and its ends, from and to, a force's components (N).
 ##
-## Each, and each end, has its places x and y in the frames @var{shown}, whole numbers of the @var{unit} (m).  It goes
+## Each hinge, end and force has its places x and y in the frames @var{shown}, whole numbers of the @var{unit} (m).  It goes
 ## with the point of a body that it lies on in all frames, at any zoom: body and point, from 0, of at most so many
 ## @var{points}; else body is -1.
 ## @end deftypefn
 
-function [hinges, springs] = joint_data (drawing, points, shown, unit)
+function [hinges, springs, forces] = joint_data (drawing, points, shown, unit)
   place = @(x, y) place_of (drawing.bodies, x, y, points, shown, unit);
   at = drawing.hinges;
   count = rows (at.x);
-  hinges = springs = {};
+  hinges = springs = forces = {};
   for i = 1:count
     hinges{i} = place (at.x(i,:), at.y(i,:));
     hinges{i}.shape = field_or (at, "shape", repmat ({"pin"}, count, 1)){i};
@@ -22,6 +22,12 @@ function [hinges, springs] = joint_data (drawing, points, shown, unit)
   for i = 1:rows (at.x)
     springs{i} = struct ("shape", at.shape{i}, "from", place (at.x(i,:), at.y(i,:)), ...
                          "to", place (at.to_x(i,:), at.to_y(i,:)));
+  endfor
+  at = field_or (drawing, "forces", struct ("x", []));
+  for i = 1:rows (at.x)
+    forces{i} = place (at.x(i,:), at.y(i,:));
+    forces{i}.F_x = num2cell (at.F_x(i,shown));
+    forces{i}.F_y = num2cell (at.F_y(i,shown));
   endfor
 endfunction
 
@@ -50,6 +56,12 @@ endfunction
 %! assert ([second.x{:}]*1e-6, drawing.hinges.x(2,:), 1e-6);
 %! drawing.hinges.y(2,3) += 41e-6;
 %! assert (joint_data (drawing, 3, 1:4, 1e-6){2}.body, -1);
+%!test # a force on the first body's end
+%! drawing = sample_bodies (4);
+%! [x, y] = deal (drawing.bodies(1).x(end,:), drawing.bodies(1).y(end,:));
+%! drawing.forces = struct ("x", x, "y", y, "F_x", [1 2 3 4], "F_y", [5 6 7 8]);
+%! force = nthargout (3, @joint_data, drawing, 41, 2:3, 1e-6){1};
+%! assert (force.body, 0); assert ([force.F_x{:}, force.F_y{:}], [2 3 6 7]);
 %!test # a spring from the second body's end to the ground
 %! drawing = sample_bodies (4);
 %! [x, y] = deal (drawing.bodies(2).x(end,:), drawing.bodies(2).y(end,:));

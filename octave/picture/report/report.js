@@ -49,8 +49,8 @@
     for (const p of data.backdrop.flatMap(pairs).concat(beside)) {
       for (let i = 0; i < 2; i++) { low[i] = Math.min(low[i], p[i]); high[i] = Math.max(high[i], p[i]); }
     }
-    const margin = 0.12 * Math.max(high[0] - low[0], high[1] - low[1]);
-    view = { low: low.map((v) => v - margin), high: high.map((v) => v + margin), symbol: margin / 3 };
+    const margin = 0.12 * Math.max(high[0] - low[0], high[1] - low[1]), room = data.forces.length ? 2 * margin : margin;
+    view = { low: low.map((v) => v - room), high: high.map((v) => v + room), symbol: margin / 3 };
   }
 
   function prepared(canvas) {  // at the screen's own pixels
@@ -143,6 +143,7 @@
       c.fill();
       c.stroke();
     });
+    data.forces.forEach((force) => drawForce(c, placed(force), [force.F_x[frame], -force.F_y[frame]], 6 * size));
     if (data.moment && data.hinges.length) {
       drawMoment(c, placed(data.hinges[0]), 2.6 * size);
     }
@@ -172,6 +173,22 @@
     c.beginPath();
     if (shape === "pin" || shape === "hub") { c.arc(p[0], p[1], w, 0, 2 * Math.PI); }
     else { c.rect(p[0] - w, p[1] - h, 2 * w, 2 * h); }
+  }
+
+  const strongest = Math.max(0, ...data.forces.flatMap((force) => force.F_x.map((x, f) => Math.hypot(x, force.F_y[f]))));
+
+  function drawForce(c, tip, F, longest) {
+    const newtons = Math.hypot(...F), length = newtons / strongest * longest;
+    if (!(length > longest / 120)) { return; }
+    const u = F.map((v) => v / newtons), back = (d, aside) => [tip[0] - d * u[0] - aside * u[1],
+                                                              tip[1] - d * u[1] + aside * u[0]];
+    c.strokeStyle = c.fillStyle = curves[1];
+    c.lineWidth = 2.5;
+    path(c, [back(length, 0), tip, back(9, 4), tip, back(9, -4)]);
+    c.stroke();
+    c.font = "14px system-ui, sans-serif";
+    c.textAlign = "center";
+    c.fillText(Number(newtons.toPrecision(3)) + " N", ...back(length + 14 + 16 * Math.abs(u[0]), 0));
   }
 
   function drawMoment(c, p, radius) {
