@@ -9,7 +9,9 @@ function check_drawing (drawing)
   check_fields (struct ("x", drawing.hinges.x, "y", drawing.hinges.y), "hinges.", frames);
   check_fields (struct ("time", drawing.time, "moment", drawing.moment), "", frames);
   check_fields (rmfield (field_or (drawing, "springs", struct ("shape", [])), "shape"), "springs.", frames);
-  check_fields (field_or (drawing, "forces", struct ()), "forces.", frames);
+  for acting = {"forces", "moments"}
+    check_fields (field_or (drawing, acting{1}, struct ()), [acting{1} "."], frames);
+  endfor
   for i = 1:numel (drawing.bodies)
     body = rmfield (drawing.bodies(i), "half_height");
     if (isempty (body.stress))
@@ -40,7 +42,8 @@ endfunction
 %! check_drawing (drawing);
 %!error <draw_pictures: springs.to_x must be finite, with 3 frames>
 %! drawing = sample_drawing (3);
-%! drawing.springs = struct ("x", ones (1, 3), "y", ones (1, 3), "to_x", NaN (1, 3), "to_y", ones (1, 3), "shape", {{"coil"}});
+%! drawing.springs = struct ("x", ones (1, 3), "y", ones (1, 3), "to_x", NaN (1, 3), "to_y", ones (1, 3));
+%! drawing.springs.shape = {"coil"};
 %! check_drawing (drawing);
 %!error <draw_pictures: moment must be finite, with 3 frames>
 %! drawing = sample_drawing (3);

@@ -21,9 +21,9 @@
 ## @item springs
 ## where there are some: a struct of @code{x}, @code{y}, @code{to_x}, @code{to_y} (S-by-F, m, as drawn: their ends) and
 ## @code{shape} (S-by-1 cellstr): "coil", "spiral" (of a torsion spring);
-## @item forces
-## where there are some: a struct of @code{x}, @code{y} (K-by-F, m, as drawn: where they act) and @code{F_x},
-## @code{F_y} (K-by-F, N);
+## @item forces, moments
+## where there are some, beside @code{moment}: structs of @code{x}, @code{y} (K-by-F, m, as drawn: where they act) and
+## @code{F_x}, @code{F_y} (K-by-F, N), or @code{M} (K-by-F, N m);
 ## @item strips
 ## up to four panels (see @code{new_panel}) beside each frame, whose curves a mark runs along;
 ## @item panels

@@ -13,8 +13,10 @@ function camera = fit_camera (drawing, panel)
   x = [x; drawing.hinges.x(:) - reach; drawing.hinges.x(:) + reach];
   y = [y; drawing.hinges.y(:) - reach; drawing.hinges.y(:) + reach];
   [tails_x, tails_y] = force_tails (drawing, 1.8*camera.symbol);
-  x = [x; tails_x(:)];
-  y = [y; tails_y(:)];
+  acting = field_or (drawing, "moments", struct ("x", [], "y", []));
+  around = 4.5*camera.symbol*[-1, 1];
+  x = [x; tails_x(:); vec(acting.x(:) + around)];
+  y = [y; tails_y(:); vec(acting.y(:) + around)];
   if (any (drawing.moment) && ! isempty (drawing.hinges.x))
     ## The moment's arrow and its value stand around O.
     x = [x; drawing.hinges.x(1,:).' - 0.4*span; drawing.hinges.x(1,:).' + 0.4*span];

@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{text} =} frame_data (@var{drawing}, @var{stress}, @var{camera}, @var{frame}, @var{tip})
-## What one @var{frame} shows, as variables and data blocks of gnuplot: the clock, the moment's arrow, the number
-## @var{tip} of the last point of the tip's path (see @code{with_path}), the hinges, springs and forces, and an index for each
-## body in $rest and $outline. $pieces has an index for each body with a @var{stress} (see @code{body_stress}): start,
-## extent and stress of pieces of its centreline.
+## What one @var{frame} shows, as variables and data blocks of gnuplot: the clock, the number @var{tip} of the last point
+## of the tip's path (see @code{with_path}), the hinges, springs, forces and moments, and an index for each body in
+## $rest and $outline. $pieces has an index for each body with a @var{stress} (see @code{body_stress}): start, extent and
+## stress of pieces of its centreline.
 ## @end deftypefn
 
 function text = frame_data (drawing, stress, camera, frame, tip = 0)
@@ -23,29 +23,13 @@ function text = frame_data (drawing, stress, camera, frame, tip = 0)
   [ground, pins] = hinge_symbol (drawing.hinges, frame, camera.symbol);
   springs = spring_symbol (drawing, frame, camera.symbol);
 
-  moment = drawing.moment(frame);
-  hinge = mean (vertcat (rest{:}));
-  away = [0 1];
-  if (! isempty (drawing.hinges.x))
-    away = [drawing.hinges.x(1,frame), drawing.hinges.y(1,frame)] - hinge;
-    hinge += away;
-  endif
-  away /= max (norm (away), realmin);
-  [arrow, place] = moment_arrow (moment, hinge, atan2 (away(2), away(1)), 3*camera.symbol);
+  [arrows, settings.force_place, settings.force_label] = force_arrows (drawing, frame, camera);
+  [arcs, settings.moment_place, settings.moment_label] = moment_arrows (drawing, frame, camera);
   settings.clock = clock_text (drawing, frame);
   settings.tip = tip;
-  [scale, unit] = unit_prefix (moment, "N m");
-  settings.moment_label = "";
-  if (moment != 0)
-    settings.moment_label = sprintf ("%.3g %s", moment/scale, unit);
-  endif
-  [arrows, settings.force_place, settings.force_label] = force_arrows (drawing, frame, camera);
-  label_size = [5.5*numel(settings.moment_label), 11] * camera.pixel;
-  settings.moment_place = place + label_size .* away;
-
   text = [gnuplot_settings(settings), ...
           gnuplot_block("rest", rest), gnuplot_block("outline", outline), gnuplot_block("pieces", pieces), ...
-          gnuplot_block("moment", {arrow}), gnuplot_block("ground", {ground}), gnuplot_block("pins", {pins}), ...
+          gnuplot_block("moments", {arcs}), gnuplot_block("ground", {ground}), gnuplot_block("pins", {pins}), ...
           gnuplot_block("springs", {springs}), gnuplot_block("forces", {arrows})];
 endfunction
 

@@ -37,7 +37,7 @@ do for [frame=first:last] {
        $springs with lines lc rgb ink lw 1.5, \
        $pins with filledcurves closed fc rgb "white", \
        $pins with lines lc rgb ink lw 1.5, \
-       $moment with lines lt 2 lw 2.5, \
+       $moments with lines lt 2 lw 2.5, \
        $forces with lines lt 2 lw 2.5
 
   load here."strips.gp"

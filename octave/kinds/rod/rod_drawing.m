@@ -32,7 +32,7 @@ function drawing = rod_drawing (scene, model, history)
   drawing.hinges = with_pins (drawing.hinges, scene.joints, history.joint_points);
   place = @(~, station) model.equations.centreline (model, station, history, scene.zoom);
   drawing.springs = springs_of_joints (scene.joints, place, numel (history.t));
-  drawing.forces = forces_of_joints ([force_of(scene), scene.joints(:).'], place, history.t);
+  [drawing.forces, drawing.moments] = loads_of_joints ([force_of(scene), scene.joints(:).'], place, history.t);
   drawing.strips = rod_strips (history, drawing.moment, undeformed_tip (model));
   drawing.equations = {"hinged", "straight"};
   if (! isempty (scene.rod.curvature))

@@ -1,18 +1,20 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{hinges}, @var{springs}, @var{forces}] =} joint_data (@var{drawing}, @var{points}, @var{shown}, @var{unit})
-## The hinges, springs and forces of a @var{drawing} (see @code{draw_pictures}) for @file{report.js}, cells: a hinge's
-## shape and whether it is on the ground, a spring's shape and its ends, from and to, a force's components (N).
+## @deftypefn {} {[@var{hinges}, @var{springs}, @var{forces}, @var{moments}] =} joint_data (@var{drawing}, @
+##   @var{points}, @var{shown}, @var{unit})
+## The hinges, springs, forces and moments of joints of a @var{drawing} (see @code{draw_pictures}) for
+## @file{report.js}, cells: a hinge's shape and whether it is on the ground, a spring's shape and its ends, from and to,
+## a force's components (N), a moment M (N m).
 ##
-## Each hinge, end and force has its places x and y in the frames @var{shown}, whole numbers of the @var{unit} (m).  It goes
-## with the point of a body that it lies on in all frames, at any zoom: body and point, from 0, of at most so many
+## Each hinge, end and load has its places x and y in the frames @var{shown}, whole numbers of the @var{unit} (m).  It
+## goes with the point of a body that it lies on in all frames, at any zoom: body and point, from 0, of at most so many
 ## @var{points}; else body is -1.
 ## @end deftypefn
 
-function [hinges, springs, forces] = joint_data (drawing, points, shown, unit)
+function [hinges, springs, forces, moments] = joint_data (drawing, points, shown, unit)
   place = @(x, y) place_of (drawing.bodies, x, y, points, shown, unit);
   at = drawing.hinges;
   count = rows (at.x);
-  hinges = springs = forces = {};
+  hinges = springs = {};
   for i = 1:count
     hinges{i} = place (at.x(i,:), at.y(i,:));
     hinges{i}.shape = field_or (at, "shape", repmat ({"pin"}, count, 1)){i};
@@ -23,11 +25,17 @@ function [hinges, springs, forces] = joint_data (drawing, points, shown, unit)
     springs{i} = struct ("shape", at.shape{i}, "from", place (at.x(i,:), at.y(i,:)), ...
                          "to", place (at.to_x(i,:), at.to_y(i,:)));
   endfor
-  at = field_or (drawing, "forces", struct ("x", []));
-  for i = 1:rows (at.x)
-    forces{i} = place (at.x(i,:), at.y(i,:));
-    forces{i}.F_x = num2cell (at.F_x(i,shown));
-    forces{i}.F_y = num2cell (at.F_y(i,shown));
+  forces = acting (field_or (drawing, "forces", struct ("x", [])), place, shown);
+  moments = acting (field_or (drawing, "moments", struct ("x", [])), place, shown);
+endfunction
+
+function data = acting (loads, place, shown)
+  data = {};
+  for i = 1:rows (loads.x)
+    data{i} = place (loads.x(i,:), loads.y(i,:));
+    for part = setdiff (fieldnames (loads).', {"x", "y"})
+      data{i}.(part{1}) = num2cell (loads.(part{1})(i,shown));
+    endfor
   endfor
 endfunction
 
@@ -61,6 +69,8 @@ endfunction
 %! [x, y] = deal (drawing.bodies(1).x(end,:), drawing.bodies(1).y(end,:));
 %! drawing.forces = struct ("x", x, "y", y, "F_x", [1 2 3 4], "F_y", [5 6 7 8]);
 %! force = nthargout (3, @joint_data, drawing, 41, 2:3, 1e-6){1};
+%! drawing.moments = struct ("x", x, "y", y, "M", [1 2 3 4]);
+%! assert (nthargout (4, @joint_data, drawing, 41, 2:3, 1e-6){1}.M, {2, 3});
 %! assert (force.body, 0); assert ([force.F_x{:}, force.F_y{:}], [2 3 6 7]);
 %!test # a spring from the second body's end to the ground
 %! drawing = sample_bodies (4);

@@ -145,8 +145,9 @@
     });
     data.forces.forEach((force) => drawForce(c, placed(force), [force.F_x[frame], -force.F_y[frame]], 6 * size));
     if (data.moment && data.hinges.length) {
-      drawMoment(c, placed(data.hinges[0]), 2.6 * size);
+      drawMoment(c, placed(data.hinges[0]), data.moment[frame], 2.6 * size);
     }
+    data.moments.forEach((moment) => drawMoment(c, placed(moment), moment.M[frame], 2.6 * size));
     if (data.gravity) { drawGravity(c, width, Math.sign(data.gravity), ink); }
   }
 
@@ -191,8 +192,7 @@
     c.fillText(Number(newtons.toPrecision(3)) + " N", ...back(length + 14 + 16 * Math.abs(u[0]), 0));
   }
 
-  function drawMoment(c, p, radius) {
-    const value = data.moment[frame];
+  function drawMoment(c, p, value, radius) {
     if (!value) { return; }
     const turn = -Math.sign(value), from = Math.PI - turn, to = Math.PI + turn;
     c.strokeStyle = c.fillStyle = curves[1];

@@ -34,7 +34,7 @@ function json = report_data (drawing)
   for i = 1:numel (drawing.bodies)
     data.bodies{i} = body_data (drawing.bodies(i), stress{i}, range, shown, data);
   endfor
-  [data.hinges, data.springs, data.forces] = joint_data (drawing, 41, shown, data.unit);
+  [data.hinges, data.springs, data.forces, data.moments] = joint_data (drawing, 41, shown, data.unit);
   data.backdrop = cellfun (@(line) num2cell (round (line.'(:).'/data.unit)), field_or (drawing, "backdrop", {}), ...
                            "UniformOutput", false);
   data.strips = arrayfun (@(strip) values_of_strip (strip, shown), drawing.strips(:).', "UniformOutput", false);
