@@ -16,15 +16,16 @@ function drawing = mechanism_drawing (scene, mechanism, history)
     if (isempty (rod.half_height))
       body.half_height = rod.length/100;
     endif
-    [body.x, body.y] = body_centreline (model, stations, history.bodies(k), scene.zoom);
-    [body.rest_x, body.rest_y] = body_centreline (model, stations, history.bodies(k), 0);
+    clamped = is_cantilever (scene.joints, k);
+    drawn{k} = @(stations) enlarged (model, stations, history.bodies(k), scene.zoom, clamped);
+    [body.x, body.y, body.rest_x, body.rest_y] = drawn{k}(stations);
     body.stress = bending_stress (rod, model, stations, history.bodies(k).V);
     drawing.bodies(k) = body;
   endfor
   drawing.notes = stress_notes ([scene.bodies.rod], drawing.bodies);
   of_joints = mechanism.marker_of(:,1);
   drawing.hinges = pins_of_joints (scene.joints, history.markers.x(of_joints,:), history.markers.y(of_joints,:));
-  place = @(k, station) body_centreline (mechanism.models{k}, station, history.bodies(k), scene.zoom);
+  place = @(k, station) drawn{k}(station);
   drawing.springs = springs_of_joints (scene.joints, place, frames);
   [drawing.forces, drawing.moments] = loads_of_joints (scene.joints, place, history.t);
   drawing.strips = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions"});
@@ -38,6 +39,34 @@ function drawing = mechanism_drawing (scene, mechanism, history)
   endif
 endfunction
 
+## which is held at O alone, with its tangent: the ends of others are where they are, so that drawn bodies meet
+function yes = is_cantilever (joints, k)
+  yes = false;
+  for joint = joints(:).'
+    for station = joint.stations(joint.bodies == k)
+      if (station > 0 && (! is_load (joint) && isempty (strfind (joint.kind, "spring"))))
+        yes = false;
+        return;
+      endif
+      yes = yes || any (strcmp (joint.kind, {"weld", "angle"}));
+    endfor
+  endfor
+endfunction
+
+%!test # what is welded at O alone is enlarged from its tangent there
+%! rod = struct ("length", 1, "EA", 1e4, "EI", 1, "rhoA", 1);
+%! scene.bodies = {struct("rod", rod, "model", struct ("modes", [0 2]))};
+%! weld = struct ("kind", "weld", "bodies", 1, "stations", 0);
+%! for joints = {{weld}, {weld, struct("kind", "slider", "bodies", 1, "stations", 1)}}
+%!   scene.joints = joints{1};
+%!   [scene.zoom, scene.duration] = deal (10, 1);
+%!   [start, ~, system] = assembled (scene, 0);
+%!   start.q(1:2) = [0.01 0.01];
+%!   history = measure_mechanism (system, 0, start);
+%!   body = mechanism_drawing (check_mechanism (scene), system.mechanism, history).bodies;
+%!   clamped(numel (joints{1})) = abs (atan2 (body.rest_y(end), body.rest_x(end)) - history.bodies.psi) < 1e-12;
+%! endfor
+%! assert (clamped, [true false]);
 %!test
 %! [system, start, scene] = sample_mechanism ([0 1]);
 %! history = measure_mechanism (system, 0, start);

@@ -16,8 +16,8 @@ function drawing = rod_drawing (scene, model, history)
     drawing.moment = history.torque;
   endif
   drawing.moment_breaks = scene.moment_breaks;
-  [body.x, body.y] = model.equations.centreline (model, stations, history, scene.zoom);
-  [body.rest_x, body.rest_y] = model.equations.centreline (model, stations, history, 0);
+  drawn = @(stations) enlarged (model, stations, history, scene.zoom, ! isempty (scene.rotation));
+  [body.x, body.y, body.rest_x, body.rest_y] = drawn (stations);
   body.half_height = scene.rod.half_height;
   if (isempty (body.half_height))
     body.half_height = scene.rod.length/100;
@@ -30,7 +30,7 @@ function drawing = rod_drawing (scene, model, history)
     drawing.hinges.shape = {"hub"};
   endif
   drawing.hinges = with_pins (drawing.hinges, scene.joints, history.joint_points);
-  place = @(~, station) model.equations.centreline (model, station, history, scene.zoom);
+  place = @(~, station) drawn (station);
   drawing.springs = springs_of_joints (scene.joints, place, numel (history.t));
   [drawing.forces, drawing.moments] = loads_of_joints ([force_of(scene), scene.joints(:).'], place, history.t);
   drawing.strips = rod_strips (history, drawing.moment, undeformed_tip (model));
@@ -70,7 +70,7 @@ endfunction
 %! scene.joints = struct ("kind", {"spring", "bushing"}, "bodies", [1 0], "stations", [0.2 0], "point", [7 8]);
 %! history.joint_points = struct ("x", [1 1; 2 3], "y", [4 4; 5 6]);
 %! drawing = rod_drawing (scene, model, history);
-%! assert (drawing.hinges.x, [0 0; 2 3; 7 7]); assert (drawing.hinges.shape, {"pin"; "pin"; "pin"});
+%! assert (drawing.hinges.x, [0 0; 2 3; 7 7; 7 7]); assert (drawing.hinges.shape, repmat ({"pin"}, 4, 1));
 %! assert ([drawing.springs.to_x, drawing.springs.to_y], [7 7 8 8]); assert (drawing.springs.x, [0.2 0.2], 1e-3);
 %!test # a hub, a curved rod, one of no height, and loads
 %! [scene, model] = sample_rod ([0 1]);
