@@ -8,10 +8,22 @@ function scene = called_scene (name, numbers, file)
   try
     scene = feval (name, numbers{:});
   catch err
-    rethrow_others (err, "Octave:");
+    if (! isempty (err.identifier) || is_raised (err.stack(1)))
+      rethrow_others (err, "Octave:");
+    endif
+    err = struct ("message", err.message, "identifier", "Octave:", "stack", err.stack);
     [~, own, extension] = fileparts (file);
     scene_error ("%s", strrep (placed_message (err), [name ".m"], [own extension]));
   end_try_catch
+endfunction
+
+## by a call of error in a line of a file: some errors of the interpreter have no identifier either
+function yes = is_raised (place)
+  lines = {};
+  if (exist (place.file, "file"))
+    lines = strsplit (fileread (place.file), "\n");
+  endif
+  yes = place.line < 1 || place.line > numel (lines) || ! isempty (regexp (lines{place.line}, '\<error\>'));
 endfunction
 
 %!function check (folder)
@@ -25,6 +37,8 @@ endfunction
 %!    fail ("load_scene (file, {7})", in_file);
 %!    fail ("load_scene (file, {1})", "^beside.m, line 5: 'nowhere' undefined$");
 %!    fail ("load_scene (file, {2})", "^no$");
+%!    write_text (file, "function s = odd_rod ()\n  s.title = 'x';\n  s.zoom = [1 2; 3];\nend\n");
+%!    fail ("load_scene (file)", ["^" regexptranslate("escape", name{1}) "\\.m, line 3: vertical dimensions mismatch"]);
 %!  endfor
 %!endfunction
 %!test in_scratch (@(folder, scratch) check (folder));
