@@ -17,13 +17,18 @@ function [q, lambda, linear] = equilibrium (balance, t, q = balance.start)
   if (isfield (balance, "shape"))
     farthest = max (farthest, norm (range (vertcat (balance.shape (balance.start){:}), 1))/20);
   endif
+  why = "";
   smallest = Inf;
   for sweep = 1:300
-    linear = held_tangent (balance, t, q, lambda);
     r = balance.residual (t, q, 0*q, lambda);
+    if (! all (isfinite (r)))
+      why = ": its forces are no numbers, as where a spring's points coincide";
+      break;
+    endif
+    linear = held_tangent (balance, t, q, lambda);
     onto = -inverse_of (linear.jacobian)*r(n+1:end,1);
     force = linear.basis.'*(r(1:n) - linear.stiffness*onto);
-    step = onto + linear.basis*fall (linear, force);
+    step = onto + linear.basis*falling_step (linear.K, linear.M, force);
     metres = balance.size (step);
     share = share_of (balance, t, q, lambda, step, min (1, farthest/metres));
     q += share*step;
@@ -35,13 +40,14 @@ function [q, lambda, linear] = equilibrium (balance, t, q = balance.start)
     endif
     smallest = min (smallest, metres);
   endfor
-  far = "";
-  if (share*metres > farthest/2)
-    far = ", as far as a step goes: loads that turn it for ever have none";
+  if (isempty (why))
+    why = sprintf (" in 300 steps: the last one moved a point by %.2g m", share*metres);
+    if (share*metres > farthest/2)
+      why = [why ", as far as a step goes: loads that turn it for ever have none"];
+    endif
   endif
-  error ("toolchain:scene:equilibrium", ["no equilibrium was found in 300 steps: the last one moved a point by" ...
-                                         " %.2g m%s; place the bodies nearer to it, or take smaller loads\n"], ...
-         share*metres, far);
+  error ("toolchain:scene:equilibrium", ...
+         "no equilibrium was found%s; place the bodies nearer to it, or take smaller loads\n", why);
 endfunction
 
 ## of a step: until the forces along it turn back
@@ -54,21 +60,6 @@ function share = share_of (balance, t, q, lambda, step, share)
     endif
     share /= 2;
   endfor
-endfunction
-
-## Newton's own step where all is held, also by a stiffness that is not symmetric; what nothing holds is moved by what
-## accelerates it by more than 1e-9 m/s^2
-function y = fall (linear, force)
-  [modes, squares] = free_modes (linear.K, linear.M);
-  least = max ([1e-13*abs(squares); 1e-12]);
-  if (squares > least)
-    y = linear.K \ force;
-    return;
-  endif
-  squares = abs (squares);
-  pull = modes.'*force;
-  pull(squares < least & abs (pull) < 1e-9*sqrt (norm (linear.M))) = 0;
-  y = modes*(pull./max (squares, least));
 endfunction
 
 %!function balance = pendulum (angle, varargin)   # rigid, 2 m
@@ -84,6 +75,9 @@ endfunction
 %! assert (q(1), -pi/2, 1e-9); assert (lambda, [0; -6*9.81], 1e-7);
 %! [q, ~, linear] = equilibrium (pendulum (pi/2), 0);
 %! assert (q(1), pi/2, 1e-9); assert (linear.K < 0);
+%!error <no equilibrium was found: its forces are no numbers, as where a spring's points coincide; place the bodies>
+%! spring = struct ("kind", "spring", "bodies", 1, "stations", 1, "point", [1 0], "stiffness", 3);
+%! equilibrium (pendulum (0, spring), 0);
 %!test # a moment at its hinge holds it aslant: M = m g l/2 cos (phi)
 %! moment = struct ("kind", "moment", "bodies", 1, "stations", 0, "value", 6*9.81*cosd (60));
 %! assert (equilibrium (pendulum (-0.5, moment), 0)(1), -pi/3, 1e-9);
