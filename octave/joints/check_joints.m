@@ -25,6 +25,9 @@ function joint = check_joint (joint, what, of_bodies)
   endif
   for k = 1:numel (on)
     length = of_bodies(on(k)).rod.length;
+    if (abs (joint.stations(k) - length) < 1e-9*length)
+      joint.stations(k) = length;  # but for rounding
+    endif
     if (joint.stations(k) < 0 || joint.stations(k) > length)
       scene_error ("%s.stations(%d) is %g: body %d has places from 0 to %g m", what, k, joint.stations(k), ...
                    on(k), length);

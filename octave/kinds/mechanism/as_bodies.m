@@ -26,10 +26,19 @@ function scene = as_bodies (given)
   endif
   scene.bodies = {body};
   scene.joints = [{struct("name", "hinge", "kind", "revolute", "bodies", 1, "stations", 0)}, loads_of(given), ...
-                  on_one_body(field_or (given, "joints", {}))];
+                  numbered(on_one_body (field_or (given, "joints", {})))];
   if (isfield (given, "moment_breaks"))
     scene.breaks = given.moment_breaks;
   endif
+endfunction
+
+## those given, as they are numbered there
+function joints = numbered (joints)
+  for k = 1:numel (joints)
+    if (isstruct (joints{k}) && isempty (field_or (joints{k}, "name", "")))
+      joints{k}.name = sprintf ("joint %d", k);
+    endif
+  endfor
 endfunction
 
 ## where the hub has it, unless it says otherwise

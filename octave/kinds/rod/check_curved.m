@@ -10,8 +10,8 @@ function check_curved (scene)
              "model.axial = \"quasistatic\"", strcmp(scene.model.axial, "quasistatic")};
   for row = refused.'
     if (row{2})
-      scene_error ("%s and rod.curvature are both given: a curved rod takes a moment at O, a tip mass and its weight", ...
-                   row{1});
+      scene_error (["%s and rod.curvature are both given: a curved rod by itself takes a moment at O, a tip mass," ...
+                    " joints and its weight; a hub and forces it takes as a body (scene.bodies)"], row{1});
     endif
   endfor
   check_curvature (scene.rod, "");
