@@ -8,8 +8,6 @@
 ## @end deftypefn
 
 function [x, y, rest_x, rest_y] = enlarged (model, stations, body, zoom, clamped)
-  x_O = field_or (body, "x", 0);
-  y_O = field_or (body, "y", 0);
   [x, y] = model.equations.centreline (model, stations, body, zoom);
   [rest_x, rest_y] = model.equations.centreline (model, stations, body, 0);
   if (clamped)
@@ -19,10 +17,12 @@ function [x, y, rest_x, rest_y] = enlarged (model, stations, body, zoom, clamped
     x = rest_x + zoom*(x - rest_x);
     y = rest_y + zoom*(y - rest_y);
   endif
-  x += x_O;
-  rest_x += x_O;
-  y += y_O;
-  rest_y += y_O;
+  if (isfield (body, "x"))
+    x += body.x;
+    rest_x += body.x;
+    y += body.y;
+    rest_y += body.y;
+  endif
 endfunction
 
 ## of the tangent at O against the frame
