@@ -8,14 +8,15 @@
 ## @end deftypefn
 
 function [x, y, rest_x, rest_y] = enlarged (model, stations, body, zoom, clamped)
-  [x, y] = model.equations.centreline (model, stations, body, zoom);
-  [rest_x, rest_y] = model.equations.centreline (model, stations, body, 0);
   if (clamped)
-    turned = setfield (setfield (body, "phi", body.psi - undeformed_turn (model)), "V", 0*body.V);
-    [rest_x, rest_y] = model.equations.centreline (model, stations, turned, 0);
+    along_tangent = setfield (setfield (body, "phi", body.psi - undeformed_turn (model)), "V", 0*body.V);
+    [rest_x, rest_y] = model.equations.centreline (model, stations, along_tangent, 0);
     [x, y] = model.equations.centreline (model, stations, body, 1);
     x = rest_x + zoom*(x - rest_x);
     y = rest_y + zoom*(y - rest_y);
+  else
+    [rest_x, rest_y] = model.equations.centreline (model, stations, body, 0);
+    [x, y] = model.equations.centreline (model, stations, body, zoom);
   endif
   if (isfield (body, "x"))
     x += body.x;
