@@ -1,12 +1,11 @@
 # One picture a frame, or of all at once for the figure: the surface shaded, its mesh and the rod, with what lies
-# behind them hidden.
+# behind them hidden, but for a thin dashed line of the rod.
 ink_rod = "#b03000"
 set view equal xyz
 unset colorbox
 frame_with_strips = kinds eq "png"
 set pm3d depthorder border lc rgb "#d8dee4" lw 0.3
 set palette defined (0 "#8fa3b3", 1 "#f3f5f6")
-set hidden3d front
 load here."units.gp"
 
 do for [frame=first:last] {
@@ -33,12 +32,16 @@ do for [frame=first:last] {
         sprintf("sans-serif,%g", 0.8*fitting(title_size, frame_with_strips ? 780 : 1300))
     set label 2 clock at screen beside - 0.02,0.95 right front font "sans-serif,18"
     set label 3 slow at screen beside - 0.02,0.9 right front
+    set hidden3d front
     splot $surface using 1:2:3:4 with pm3d, \
           $surface using 1:2:3 with lines lc rgb "#9aa7b2" lw 0.4, \
           for [i=1:rods] $rod index i-1 using 1:2:3 with lines lc rgb ink_rod lw (i == rods ? 5 : 2), \
           $tip using 1:2:3 with lines lc rgb "#0072b2" lw 1.2, \
           $held using 1:2:3 with points pt 7 ps 1.4 lc rgb ink, \
           $held using 1:2:3 with points pt 7 ps 0.8 lc rgb "white"
+    unset label
+    unset hidden3d
+    splot for [i=1:rods] $rod index i-1 using 1:2:3 with lines lc rgb ink_rod lw (i == rods ? 1.5 : 0.7) dt 2
     if (frame_with_strips) {
       set border 31 lc rgb "#606060" lw 1
       set tics nomirror textcolor rgb ink
