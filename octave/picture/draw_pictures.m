@@ -17,7 +17,8 @@
 ## @item hinges
 ## a struct of @code{x}, @code{y} (H-by-F, m, as drawn; H may be 0) and, where not all stand on the ground,
 ## @code{ground} (H-by-1, logical): others are between bodies; where not all are pins, @code{shape} (H-by-1 cellstr):
-## "pin", "block" (which slides), "weld", "hub" (which turns the rod);
+## "pin", "block" (which slides), "weld", "hub" (which turns the rod), and where not all lie level, their @code{angle}
+## (H-by-F, rad);
 ## @item springs
 ## where there are some: a struct of @code{x}, @code{y}, @code{to_x}, @code{to_y} (S-by-F, m, as drawn: their ends) and
 ## @code{shape} (S-by-1 cellstr): "coil", "spiral" (of a torsion spring);

@@ -24,7 +24,11 @@ function drawing = mechanism_drawing (scene, mechanism, history)
   endfor
   drawing.notes = stress_notes ([scene.bodies.rod], drawing.bodies);
   of_joints = mechanism.marker_of(:,1);
-  drawing.hinges = pins_of_joints (scene.joints, history.markers.x(of_joints,:), history.markers.y(of_joints,:));
+  guides = of_joints;
+  slides = strcmp ({scene.joints.kind}, "slider");
+  guides(slides) = mechanism.marker_of(slides,2);
+  drawing.hinges = pins_of_joints (scene.joints, history.markers.x(of_joints,:), history.markers.y(of_joints,:), ...
+                                   history.markers.angle(guides,:));
   place = @(k, station) drawn{k}(station);
   drawing.springs = springs_of_joints (scene.joints, place, frames);
   [drawing.forces, drawing.moments] = loads_of_joints (scene.joints, place, history.t);

@@ -54,7 +54,7 @@ endfunction
 ## of joints, bushings, on the ground
 function hinges = with_pins (hinges, joints, points)
   if (! isempty (joints))
-    pins = pins_of_joints (joints, points.x, points.y);
+    pins = pins_of_joints (joints, points.x, points.y, 0*points.x);
     hinges = struct ("x", [hinges.x; pins.x], "y", [hinges.y; pins.y], "shape", {[hinges.shape; pins.shape]});
   endif
 endfunction

@@ -2,7 +2,7 @@
 ## @deftypefn {} {[@var{hinges}, @var{springs}, @var{forces}, @var{moments}] =} joint_data (@var{drawing}, @
 ##   @var{points}, @var{shown}, @var{unit})
 ## The hinges, springs, forces and moments of joints of a @var{drawing} (see @code{draw_pictures}) for
-## @file{report.js}, cells: a hinge's shape and whether it is on the ground, a spring's shape and its ends, from and to,
+## @file{report.js}, cells: a hinge's shape, angle (rad) and whether it is on the ground, a spring's shape and its ends, from and to,
 ## a force's components (N), a moment M (N m).
 ##
 ## Each hinge, end and load has its places x and y in the frames @var{shown}, whole numbers of the @var{unit} (m).  It
@@ -19,6 +19,7 @@ function [hinges, springs, forces, moments] = joint_data (drawing, points, shown
     hinges{i} = place (at.x(i,:), at.y(i,:));
     hinges{i}.shape = field_or (at, "shape", repmat ({"pin"}, count, 1)){i};
     hinges{i}.ground = field_or (at, "ground", true (count, 1))(i);
+    hinges{i}.angle = num2cell (round (1e3*field_or (at, "angle", 0*at.x)(i,shown))/1e3);
   endfor
   at = field_or (drawing, "springs", struct ("x", []));
   for i = 1:rows (at.x)

@@ -131,15 +131,11 @@
     data.hinges.forEach((hinge) => {
       const p = placed(hinge);
       if (hinge.ground) {
-        path(c, [p, [p[0] - size, p[1] + 1.6 * size], [p[0] + size, p[1] + 1.6 * size], p]);
-        for (let foot = -1; foot <= 1.2; foot += 0.5) {
-          c.moveTo(p[0] + foot * size, p[1] + 1.6 * size);
-          c.lineTo(p[0] + (foot - 0.5) * size, p[1] + 2.1 * size);
-        }
-        c.stroke();
+        const wall = hinge.shape === "weld";
+        ground(c, turned(p, wall ? hinge.angle[frame] : 0, size), wall);
       }
       c.fillStyle = colour("--paper");
-      outline(c, p, size, hinge.shape);
+      outline(c, turned(p, hinge.angle[frame], size), hinge.shape);
       c.fill();
       c.stroke();
     });
@@ -168,12 +164,26 @@
     });
   }
 
-  function outline(c, p, size, shape) {
-    const [w, h] = { pin: [0.4, 0.4], hub: [0.9, 0.9], block: [0.9, 0.6],
-                    weld: [0.3, 0.3] }[shape].map((v) => v * size);
-    c.beginPath();
-    if (shape === "pin" || shape === "hub") { c.arc(p[0], p[1], w, 0, 2 * Math.PI); }
-    else { c.rect(p[0] - w, p[1] - h, 2 * w, 2 * h); }
+  function turned(p, angle, size) {  // symbols of size 1, as hinge_symbol.m
+    const k = size * Math.cos(angle), s = size * Math.sin(angle);
+    return ([x, y]) => [p[0] + k * x - s * y, p[1] - s * x - k * y];
+  }
+
+  function outline(c, place, shape) {
+    const angles = Array.from({ length: 25 }, (_, k) => Math.PI * k / 12);
+    const round = (r) => angles.map((angle) => [r * Math.cos(angle), r * Math.sin(angle)]);
+    const box = (w, h) => [[w, h], [-w, h], [-w, -h], [w, -h], [w, h]];
+    path(c, { pin: round(0.4), hub: round(0.9), block: box(0.9, 0.6), weld: box(0.3, 0.3) }[shape].map(place));
+  }
+
+  function ground(c, place, wall) {
+    path(c, (wall ? [[0, -1.4], [0, 1.4]] : [[0, 0], [-1, -1.6], [1, -1.6], [0, 0]]).map(place));
+    for (let foot = -1; foot <= 1.4; foot += 0.6) {
+      const line = wall ? [[0, foot], [-0.5, foot - 0.5]] : [[foot, -1.6], [foot - 0.5, -2.1]];
+      c.moveTo(...place(line[0]));
+      c.lineTo(...place(line[1]));
+    }
+    c.stroke();
   }
 
   const strongest = Math.max(0, ...data.forces.flatMap((force) => force.F_x.map((x, f) => Math.hypot(x, force.F_y[f]))));
