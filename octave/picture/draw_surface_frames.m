@@ -2,7 +2,8 @@
 ## @deftypefn {} {@var{jobs} =} draw_surface_frames (@var{drawing}, @var{scratch})
 ## As @code{draw_frames}, of a drawing with a @code{surface}: a struct of the @code{patch} (see @code{surface_patch})
 ## and the @code{rod} (a struct of x, y, z, P-by-F, m), with the @code{room} (m) that both have around them, whether
-## the rod's two ends are @code{held}, the camera's @code{elevation} (degrees) and its @code{azimuth} in each frame.
+## the rod's two ends are @code{held}, the camera's @code{elevation} (degrees) and its @code{azimuth} in each frame, and
+## where there are some @code{springs} and @code{forces} (see @code{acting_in_space}).
 ## What lies behind the surface is hidden, but for a thin dashed line of the rod.
 ## @end deftypefn
 

@@ -30,6 +30,17 @@ function drawing = surface_drawing (system, scene, history)
   [x, y] = seen (patch, scene.view);
   drawing.backdrop = [lines_of(x, y), lines_of(x.', y.')];
 
+  [springs, forces] = acting_in_space (scene, history);
+  drawing.surface.springs = springs;
+  drawing.surface.forces = forces;
+  [x, y] = seen (springs, scene.view);
+  ends = struct ("x", springs.to_x, "y", springs.to_y, "z", springs.to_z);
+  [to_x, to_y] = seen (ends, scene.view);
+  drawing.springs = struct ("x", x, "y", y, "to_x", to_x, "to_y", to_y, "shape", {repmat({"coil"}, rows (x), 1)});
+  [x, y] = seen (forces, scene.view);
+  [F_x, F_y] = seen (struct ("x", forces.F_x, "y", forces.F_y, "z", forces.F_z), scene.view);
+  drawing.forces = struct ("x", x, "y", y, "F_x", F_x, "F_y", F_y);
+
   panels = surface_panels (scene, history);
   drawing.strips = panels(ismember ({panels.label}, {"tip", "reaction", "energies"}));
   drawing.equations = {"surface", ["surface_" scene.surface.name]};
