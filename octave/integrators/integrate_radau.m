@@ -40,6 +40,7 @@ function [states, steps] = integrate_radau (system, times, start, solver)
     if (kept > 0)
       before = y;
       y = after (rule, window, y, h, kept);
+      refuse_steep (system, solver, y.t, y.q);
       if (kept == to_go)
         y.t = times(end);
       endif
@@ -62,6 +63,7 @@ function [states, steps] = integrate_radau (system, times, start, solver)
     if (plan.h < 1e-10*system.duration || refused > 30)
       [~, jacobian] = system.matrices (system.at (y.t, y.q, y.v));
       refuse_dependent (system, y.t, jacobian, 1e-4);
+      refuse_steep (system, struct ("steepest", 1), y.t, y.q);
       stop_integration ("radau", system, y.t, plan.h, why, ...
                         "a larger tolerance, or a look at the mechanism there");
     endif

@@ -51,10 +51,12 @@ function [states, steps] = integrate_waveform (system, times, y, solver)
         t = last_time;
       endif
       y = modal.state (window.starts(:,taken+1));
+      refuse_steep (system, solver, t, y);
       modal = [];
     endif
     [h, most_panels] = next_window (h, most_panels, panels, taken, window, ratios(end));
     if (! (h > 1e-12*last_time))  # or no number
+      refuse_steep (system, struct ("steepest", 1), t, y);
       stop_integration ("waveform", system, t, h, "its panels shrank to nothing", ...
                         sprintf ("a larger tolerance than %.2g m", solver.tolerance));
     endif

@@ -8,7 +8,8 @@
 ## than the reference has, a quarter of what all rungs drop is near enough, where that is more, and otherwise it is the
 ## next guess.  At the ladder's end the choice gives up: the last reference is taken, with its distance from the best
 ## that is clearly poorer, and a warning says so.  No rung is run twice, and one that cannot be run is passed by; where
-## none can, the error is the last one's.
+## none can, the error is the last one's.  It gives up, too, after a reference that bends too far (see
+## @code{refuse_steep}), or two that cannot be integrated.
 ##
 ## The choice ends with the first reference that is @var{useless} (reference), by default none: where no rung is
 ## believed to serve, how small it may be matters to nobody.
@@ -26,11 +27,12 @@
 
 function choice = choose (ladder, tolerance, useless = @(reference) false)
   limit = ladder.share*tolerance;
-  trials = references = {};
+  trials = references = failures = {};
   [guess, why] = ladder.first ();
   do
     references{end+1} = ladder.richer (guess);
     [reference, trials] = run_once (ladder, references{end}, trials);
+    failures{end+1} = reference.identifier;
     gives_up = isempty (reference.error) && useless (reference);
     if (gives_up)
       trial = reference;
@@ -38,14 +40,14 @@ function choice = choose (ladder, tolerance, useless = @(reference) false)
     endif
     [trial, guess, trials, limit] = near_enough (ladder, reference, limit, trials);
     at_the_end = any (cellfun (@(rung) isequal (rung, ladder.richer (guess)), references));
-  until (! isempty (trial) || at_the_end)
+  until (! isempty (trial) || at_the_end || is_hopeless (failures))
 
   reason = sprintf ("the smallest within %.2g m of %s", limit, ladder.name (reference.rung));
   warnings = {};
   if (gives_up)
     reason = "the first that was run, no other is believed to serve";
   elseif (isempty (trial))
-    [trial, reference] = richest (ladder, references, trials);
+    [trial, reference] = richest_ran (ladder, references, trials);
     reason = "the largest, none was found to be within the tolerance";
     warnings = {sprintf(["the choice of the model gave up: %s, the largest, and %s are %.2g m apart, at most" ...
                          " %.2g m were wanted: take a larger tolerance, smoother loads, or state model.modes"], ...
@@ -61,11 +63,12 @@ function choice = choose (ladder, tolerance, useless = @(reference) false)
   choice.tried = cellfun (@(trial) entry (ladder, trial, reference, choice.rung), trials);
 endfunction
 
-## within the limit, or within that share of what all rungs drop
+## within the limit, or within that share of what all rungs drop, as the last one that ran tells
 function [trial, guess, trials, limit] = near_enough (ladder, reference, limit, trials)
   [trial, guess, trials] = smallest_near (ladder, reference, limit, trials);
   if (isempty (trial) && isempty (reference.error))
-    dropped = ladder.share*ladder.dropped (reference)/4;
+    ran = trials(cellfun (@(trial) isempty (trial.error), trials));
+    dropped = ladder.share*ladder.dropped (ran{end})/4;
     if (dropped > limit)
       limit = dropped;
       [trial, guess, trials] = smallest_near (ladder, reference, limit, trials);
@@ -73,25 +76,10 @@ function [trial, guess, trials, limit] = near_enough (ladder, reference, limit, 
   endif
 endfunction
 
-## the last reference that could be run, and the best of the others that is clearly poorer, or else any
-function [trial, next] = richest (ladder, references, trials)
-  ran = trials(cellfun (@(trial) isempty (trial.error), trials));
-  is_reference = cellfun (@(trial) any (cellfun (@(rung) isequal (rung, trial.rung), references)), ran);
-  if (! any (is_reference))
-    error (trials{end}.identifier, "%s\n", trials{end}.error);
-  endif
-  last = find (is_reference, 1, "last");
-  trial = next = ran{last};
-  next.x(:) = NaN;  # nothing to compare with
-  others = ran([1:last-1, last+1:end]);
-  poorer = cellfun (@(other) ladder.poorer (other.rung, trial.rung), others);
-  if (any (poorer))
-    others = others(poorer);
-  endif
-  if (! isempty (others))
-    [~, nearest] = min (cellfun (@(other) distance (other, trial), others));
-    next = others{nearest};
-  endif
+## richer rods bend as far, and what cannot be integrated twice will not be
+function yes = is_hopeless (failures)
+  steep = strcmp (failures, "toolchain:integration:steep");
+  yes = steep(end) || (numel (failures) > 1 && all (strcmp (failures(end-1:end), "toolchain:integration")));
 endfunction
 
 function row = entry (ladder, trial, reference, chosen)
@@ -147,4 +135,10 @@ endfunction
 %!test # what only the last could do is compared with nothing
 %! choice = choose (series (0.1.^(0:19), 20), 1e-3);
 %! assert (choice.rung, 20); assert (choice.error_m, Inf);
+%!function ladder = that_fails (how)
+%!  ladder = setfield (series (0.1.^(0:19)), "trial", @(n, like) error (how, "%d failed\n", n));
+%!endfunction
+%!error <4 failed> choose (that_fails ("toolchain:integration:steep"), 1)  # no richer one is tried
+%!error <10 failed> choose (that_fails ("toolchain:integration"), 1)  # nor a third
+%!error <20 failed> choose (that_fails ("toolchain:scene"), 1)
 %!error <20 terms are locked> choose (series (0.1.^(0:19), 21), 1e-3);

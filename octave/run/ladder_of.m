@@ -2,12 +2,12 @@
 ## @deftypefn {} {@var{ladder} =} ladder_of (@var{kind}, @var{scene}, @var{left})
 ## The ladder of models of a checked scene of a @var{kind} (see @code{kind_of}), as @code{choose} takes it: its trials
 ## are runs by the ladder's solver.  One that takes more than a third of the seconds that @var{left} () says is given
-## up.
+## up, and so is one whose rods reach a slope of 1.5 (see @code{refuse_steep}).
 ## @end deftypefn
 
 function ladder = ladder_of (kind, scene, left = @() Inf)
   ladder = kind.ladder (scene);
-  solver = ladder.solver;
+  solver = setfield (ladder.solver, "steepest", 1.5);
   in_time = @() setfield (solver, "seconds", left ()/3);
   ladder.trial = @(rung, like) run_model (kind, scene, kind.build (scene, rung), in_time (), like);
   ladder.dropped = @(trial) dropped_metres (kind.dropped (scene, trial, trial));

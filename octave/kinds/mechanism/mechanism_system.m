@@ -30,6 +30,8 @@
 ## M, Phi_q and the derivatives of the springs' elongations, likewise
 ## @item energies (q, v, at)
 ## [T; U; Z]
+## @item steepest (q)
+## the largest slope of bodies that are not geometrically exact, in a state
 ## @end table
 ## @end deftypefn
 
@@ -72,7 +74,19 @@ function system = mechanism_system (scene, mechanism)
     mechanism.constraints, at.prescribed, at.markers, at.constraints, marker_convection (mechanism, at.q, v));
   system.convection = @(at, v) rod_convection (mechanism, at.q, v);
   system.matrices = @(at) mechanism_matrices (mechanism, at.rods, at.markers, at.constraints, at.springs);
+  system.steepest = @(q) steepest (mechanism, q);
   system.energies = @(q, v, at) mechanism_energies (mechanism, q, v) + [0; 1; 0]*at.springs.energy;
+endfunction
+
+## slope of all bodies whose models hold for small ones
+function slope = steepest (mechanism, q)
+  slope = 0;
+  for group = mechanism.groups
+    if (! strcmp (group.model.rung.stiffening, "exact"))
+      of_bodies = reshape (q(group.index(1:end-3,:)), [], columns (group.index));
+      slope = max (slope, largest_slopes (group.model, group.model.basis*of_bodies));
+    endif
+  endfor
 endfunction
 
 function prescribed = prescribed_at (mechanism, t)

@@ -30,6 +30,7 @@ function system = hub_rod (scene, model)
   system.energies = @(phi, phi_dot, q, q_dot) rod_energies_of (phi, phi_dot, q, q_dot, constants);
   system.forces = @(t, q, v) forces (t, q, v, constants);
   system.accelerations = struct ("rate", system.rate, "state", @(z) z, "form", @(y) y);
+  system.steepest = @(y) largest_slopes (model, model.basis*y(1:n));
   system.turned = isempty (model.rung.sines);
   system.forms = {"rate", "oscillators", "accelerations"};
   system.refusal = "it takes no prescribed rotation; take generalized_alpha or waveform";
