@@ -8,7 +8,7 @@
 
 function job = draw_figure3 (drawing, scratch)
   camera = fit_camera (drawing, [790 690]);
-  shown = evenly_chosen (numel (drawing.time), 13);
+  shown = equally_spaced (numel (drawing.time), 13);
   settings = scene_settings (drawing, camera);
   settings.duration = sprintf ("%.4g s", drawing.time(end) - drawing.time(1));
   ## A single frame stands for the time that it is shown.

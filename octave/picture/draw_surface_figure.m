@@ -8,7 +8,7 @@ function job = draw_surface_figure (drawing, scratch)
   frames = numel (drawing.time);
   write_surface_settings (drawing, scratch, "svg png pdf");
   write_text (fullfile (scratch, "1.gp"), ...
-              surface_frame_data (drawing, evenly_chosen (frames, 9), "../figure3"));
+              surface_frame_data (drawing, equally_spaced (frames, 9), "../figure3"));
   job = start_gnuplot (scratch, "surface.gp");
 endfunction
 
