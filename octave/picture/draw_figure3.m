@@ -13,6 +13,8 @@ function job = draw_figure3 (drawing, scratch)
   settings.duration = sprintf ("%.4g s", drawing.time(end) - drawing.time(1));
   ## A single frame stands for the time that it is shown.
   settings.t = drawing.time(1) + [0, max(drawing.time(end) - drawing.time(1), 1/drawing.frames_per_second)];
+  settings.t_step = tic_step (settings.t, 8);
+  [settings.t_scale, settings.t_unit] = axis_unit (settings.t, "s");
 
   outlines = rests = {};
   pins = [];

@@ -10,11 +10,10 @@ set colorbox user origin screen X(910),Y(75) size screen X(16),Y(560)
 set margins at screen X(95),at screen X(885),at screen Y(75),at screen Y(765)
 set xrange [x_low:x_high]
 set yrange [y_low:y_high]
-set xtics metre_step
-set ytics metre_step
-set xlabel "{/:Italic b}^1, m"
-set ylabel "{/:Italic b}^2, m"
-set label 4 "{/:Italic t}, s" at screen X(910),Y(655)
+load here."metres.gp"
+set cbtics ()
+do for [k=ceil(t_low/t_step):floor(t_high/t_step)] { set cbtics add (sprintf("%.9g", k*t_step/t_scale) k*t_step) }
+set label 4 "{/:Italic t}, ".t_unit at screen X(910),Y(655)
 set label 2 sprintf("%s, %s", duration, zoom) at screen X(95),Y(788)
 if (gravity) {
   set label 3 "{/:Italic g}" at screen X(930),Y(730)

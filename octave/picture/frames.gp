@@ -13,11 +13,8 @@ do for [frame=first:last] {
 
   set margins at screen X(95),at screen R(scene_right),at screen Y(scene_bottom),at screen T(scene_top)
   set xrange [x_low:x_high]
-  set xtics metre_step
-  set ytics metre_step
   set yrange [y_low:y_high]
-  set xlabel "{/:Italic b}^1, m" offset 0
-  set ylabel "{/:Italic b}^2, m" offset 0
+  load here."metres.gp"
   set label 1 title at screen X(95),T(32) noenhanced font sprintf("sans-serif,%g", 0.75*fitting(title_size, 950))
   set label 2 clock at screen R(25),T(70) right font "sans-serif,20"
   set label 3 zoom at screen R(25),T(104) right

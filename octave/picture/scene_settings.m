@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{settings} =} scene_settings (@var{drawing}, @var{camera})
 ## What every picture of the scene has: @code{title} and its font size, @code{zoom} in words, the ranges @code{x} and
-## @code{y} (m) and the step of their tics, the number of @code{bodies}, and whether there is @code{gravity}.
+## @code{y} (m), the step, scale and unit of their tics, the number of @code{bodies}, and whether there is @code{gravity}.
 ## @end deftypefn
 
 function settings = scene_settings (drawing, camera)
@@ -12,6 +12,7 @@ function settings = scene_settings (drawing, camera)
   settings.x = camera.x;
   settings.y = camera.y;
   settings.metre_step = tic_step (camera.x, 8);
+  [settings.metre_scale, settings.metre_unit] = axis_unit (camera.x, "m");
   settings.bodies = numel (drawing.bodies);
   settings.gravity = double (drawing.gravity != 0);
 endfunction

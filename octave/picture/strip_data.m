@@ -1,14 +1,15 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{text} =} strip_data (@var{drawing})
 ## The strips beside the frames of @var{drawing} (see @code{draw_pictures}) for @file{strips.gp}: $history, the time
-## and all curves at each frame, or, of more than 4000 frames, at each of a stride of them, the time's range and step,
+## and all curves at each frame, or, of more than 4000 frames, at each of a stride of them, the time's range, step and unit,
 ## and what each strip has, as arrays (see @code{strip_names}).
 ## @end deftypefn
 
 function text = strip_data (drawing)
   time.t = padded_range (drawing.time);
   time.t_step = tic_step (time.t, 6);
-  if (numel (sprintf ("%g", time.t_step)) > 4)
+  [time.t_scale, time.t_unit] = axis_unit (time.t, "s");
+  if (numel (sprintf ("%g", time.t_step/time.t_scale)) > 4)
     time.t_step = tic_step (time.t, 4);
   endif
   settings.strips = numel (drawing.strips);

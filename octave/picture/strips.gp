@@ -4,7 +4,6 @@ unset label
 unset arrow
 unset ylabel
 set xrange [t_low:t_high]
-set xtics t_step
 column = 1
 last_row = (frame - 1)/stride
 name = 1
@@ -12,8 +11,11 @@ do for [i=1:strips] {
   set margins at screen R(strip_left),at screen R(25),at screen Y(bottom(i)),at screen Y(bottom(i) + strip_height)
   set yrange [low[i]:high[i]]
   set ytics step[i]
-  set xlabel (i == strips ? "{/:Italic t}, s" : "")
-  set format x (i == strips ? "%h" : "")
+  set xlabel (i == strips ? "{/:Italic t}, ".t_unit : "")
+  set xtics ()
+  do for [k=ceil(t_low/t_step):floor(t_high/t_step)] {
+    set xtics add (i == strips ? sprintf("%.9g", k*t_step/t_scale) : "" k*t_step)
+  }
   set label 1 labels[i] at screen R(strip_left),Y(bottom(i) + strip_height + 14) noenhanced
   n = curves[i]
   do for [k=1:named[i]] {
