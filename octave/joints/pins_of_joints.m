@@ -27,7 +27,7 @@ endfunction
 ## a hinge on the ground whose angle another joint prescribes there
 function yes = is_turned (hinge, joints)
   there = @(joint) isequal (joint.bodies, hinge.bodies) && isequal (joint.stations, hinge.stations);
-  yes = hinge.bodies(2) == 0 && any (arrayfun (@(joint) strcmp (joint.kind, "angle") && there (joint), joints));
+  yes = strcmp (hinge.kind, "revolute") && hinge.bodies(2) == 0 && any (arrayfun (@(joint) strcmp (joint.kind, "angle") && there (joint), joints));
 endfunction
 
 %!test
@@ -37,9 +37,9 @@ endfunction
 %! assert ([hinges.x, hinges.y, hinges.angle], [2 6 8; 3 4 0; 3 4 0]); assert (hinges.ground, [false; true; true]);
 %! assert (hinges.shape, {"pin"; "pin"; "pin"});
 %!test # what an angle turns is a hub, and only there
-%! joints = struct ("kind", {"revolute", "angle", "revolute"}, "bodies", {[1 0], [1 0], [2 0]}, "stations", [0 0], ...
-%!                  "point", [0 0]);
-%! assert (pins_of_joints (joints, [1; 1; 2], [1; 1; 2], [0; 0; 0]).shape, {"hub"; "pin"});
+%! joints = struct ("kind", {"revolute", "angle", "revolute", "slider"}, "bodies", {[1 0], [1 0], [2 0], [1 0]}, ...
+%!                  "stations", [0 0], "point", [0 0]);
+%! assert (pins_of_joints (joints, [1; 1; 2; 1], [1; 1; 2; 1], zeros (4, 1)).shape, {"hub"; "pin"; "block"});
 %!test # the wall of a weld at a rod's other end is beyond it
 %! joint = struct ("kind", "weld", "bodies", [1 0], "stations", [2 0], "point", [0 0]);
 %! assert (pins_of_joints (joint, 0, 0, 0.5).angle, pi + 0.5);
