@@ -3,7 +3,8 @@
 ## The states (a column a time) of a system of any kind at the @var{times} (1-by-m, s, from the start of the motion),
 ## by the method @var{solver}.name of @code{integrator_table} with @var{solver}.tolerance (m), or with steps of
 ## @var{solver}.step (s) where the method's steps are equal; "auto" is system.auto.  What takes longer than
-## @var{solver}.seconds, where there is such a field, is given up: an error.
+## @var{solver}.seconds, where there is such a field, is given up: an error, and so is what becomes steeper than
+## @var{solver}.steepest (see @code{refuse_steep}).
 ##
 ## A system has initial_state (its coordinates first), duration (s), breaks (times in s at which its loads jump),
 ## state_scale (what each state may be off by where a point is off by 1 m), mass and stiffness (of its coordinates,
