@@ -10,11 +10,11 @@ function job = draw_figure3 (drawing, scratch)
   camera = fit_camera (drawing, [790 690]);
   shown = equally_spaced (numel (drawing.time), 13);
   settings = scene_settings (drawing, camera);
-  settings.duration = sprintf ("%.4g s", drawing.time(end) - drawing.time(1));
   ## A single frame stands for the time that it is shown.
   settings.t = drawing.time(1) + [0, max(drawing.time(end) - drawing.time(1), 1/drawing.frames_per_second)];
   settings.t_step = tic_step (settings.t, 8);
   [settings.t_scale, settings.t_unit] = axis_unit (settings.t, "s");
+  settings.duration = sprintf ("%.4g %s", range (drawing.time)/settings.t_scale, settings.t_unit);
 
   outlines = rests = {};
   pins = [];
