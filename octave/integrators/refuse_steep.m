@@ -10,8 +10,8 @@ function refuse_steep (system, solver, t, y)
   endif
   slope = system.steepest (y);
   if (slope > solver.steepest)
-    error ("toolchain:integration:steep", ["at t = %.4g s of %g s a slope reaches %.2g, far beyond what models of small" ...
-           " slopes hold for; take a stiffer rod or smaller loads\n"], t, system.duration, slope);
+    error ("toolchain:integration:steep", ["at t = %.4g s of %g s a slope reaches %.2g, far beyond what models of" ...
+           " small slopes hold for; take a stiffer rod or smaller loads\n"], t, system.duration, slope);
   endif
 endfunction
 

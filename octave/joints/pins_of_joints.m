@@ -27,7 +27,8 @@ endfunction
 ## a hinge on the ground whose angle another joint prescribes there
 function yes = is_turned (hinge, joints)
   there = @(joint) isequal (joint.bodies, hinge.bodies) && isequal (joint.stations, hinge.stations);
-  yes = strcmp (hinge.kind, "revolute") && hinge.bodies(2) == 0 && any (arrayfun (@(joint) strcmp (joint.kind, "angle") && there (joint), joints));
+  turns = @(joint) strcmp (joint.kind, "angle") && there (joint);
+  yes = strcmp (hinge.kind, "revolute") && hinge.bodies(2) == 0 && any (arrayfun (turns, joints));
 endfunction
 
 %!test

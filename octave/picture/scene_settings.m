@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{settings} =} scene_settings (@var{drawing}, @var{camera})
 ## What every picture of the scene has: @code{title} and its font size, @code{zoom} in words, the ranges @code{x} and
-## @code{y} (m), the step, scale and unit of their tics, the number of @code{bodies}, and whether there is @code{gravity}.
+## @code{y} (m), the step, scale and unit of their tics, the number of @code{bodies}, and whether there is
+## @code{gravity}.
 ## @end deftypefn
 
 function settings = scene_settings (drawing, camera)

@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{text} =} strip_data (@var{drawing})
 ## The strips beside the frames of @var{drawing} (see @code{draw_pictures}) for @file{strips.gp}: $history, the time
-## and all curves at each frame, or, of more than 4000 frames, at each of a stride of them, the time's range, step and unit,
-## and what each strip has, as arrays (see @code{strip_names}).
+## and all curves at each frame, or, of more than 4000 frames, at each of a stride of them, the time's range, step and
+## unit, and what each strip has, as arrays (see @code{strip_names}).
 ## @end deftypefn
 
 function text = strip_data (drawing)

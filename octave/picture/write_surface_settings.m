@@ -12,8 +12,9 @@ function write_surface_settings (drawing, scratch, kinds)
   for axis = "xyz"
     values = [patch.(axis)(:); springs.(["to_" axis])(:); forces.(axis)(:)];
     settings.(axis) = [min(values), max(values)] + [-1, 1]*drawing.surface.room;
+    points.(axis) = values - mean (settings.(axis));
   endfor
-  [settings.half_width, settings.half_height] = halves_of_view (drawing.surface, settings);
+  [settings.half_width, settings.half_height] = halves_of_view (points, drawing.surface);
   lines = arrayfun (@(k) [patch.x(:,k), patch.y(:,k), patch.z(:,k), patch.shade(:,k); NaN(1, 4)], ...
                     1:columns (patch.x), "uniformoutput", false);
   write_text (fullfile (scratch, "settings.gp"), ...
@@ -21,12 +22,8 @@ function write_surface_settings (drawing, scratch, kinds)
                gnuplot_block("surface", {vertcat(lines{:})}), strip_data(drawing)]);
 endfunction
 
-## how far the surface, springs and forces are off the middle of the picture, at any azimuth, m
-function [wide, high] = halves_of_view (surface, ranges)
-  [springs, forces] = lines_in_space (surface);
-  for axis = "xyz"
-    points.(axis) = [surface.patch.(axis)(:); springs.(["to_" axis])(:); forces.(axis)(:)] - mean (ranges.(axis));
-  endfor
+## how far the points are off the middle of the picture, at any azimuth, m
+function [wide, high] = halves_of_view (points, surface)
   wide = high = 0;
   for azimuth = unique (mod (surface.azimuth, 360))
     [x, y] = seen (points, struct ("elevation", surface.elevation, "azimuth", azimuth));

@@ -1,5 +1,6 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{share} =} unopposed_share (@var{balance}, @var{t}, @var{q}, @var{lambda}, @var{step}, @var{share})
+## @deftypefn {} {@var{share} =} unopposed_share (@var{balance}, @var{t}, @var{q}, @var{lambda}, @var{step}, @
+##   @var{share})
 ## The @var{share} of a @var{step} (n-by-1) from @var{q} that may be gone at the time @var{t} (s): halved until the
 ## forces of a @var{balance} (see @code{mechanism_at_rest}) along it, with the multipliers @var{lambda}, oppose it by no
 ## more than half of what they are at @var{q}, beyond what they oppose it there, as on the way onto constraints.

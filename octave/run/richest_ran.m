@@ -28,7 +28,7 @@ endfunction
 %!function [ladder, trials] = of_numbers (x)   # a rung a number, which is 0 where it fails
 %!  ladder.poorer = @(rung, reference) rung < reference - 1;
 %!  for k = 1:numel (x)
-%!    trials{k} = struct ("rung", k, "x", x(k), "y", 0, "error", {"", "it broke"}{1 + (x(k) == 0)}, "identifier", "a:b");
+%!    trials{k} = struct ("rung", k, "x", x(k), "y", 0, "error", repmat ("it broke", x(k) == 0), "identifier", "a:b");
 %!  endfor
 %!endfunction
 %!test # the third, and of the clearly poorer first and the second the first

@@ -11,9 +11,9 @@
 ## damping), joined (see @code{joined_rod}), longest_step (s), velocity_matrix (the second part of y per rates of the
 ## coordinates, likewise), momenta and accelerations (other forms of the same, see @code{momenta_of_rod} and
 ## @code{accelerations_of_rod}), turned (see @code{integrate_explicit}: the paper's sines are integrated as they are),
-## breaks (times in s at which a load jumps), steepest (y) (the largest slope of a state) and state_scale, what each state may be off by where a centreline point is
-## off by 1 m; forms, refusal and auto (see @code{integrate}), warnings, duration (s), gravity (m/s^2), force (t) of
-## the scene, energy_rows (of W and D in y).
+## breaks (times in s at which a load jumps), steepest (y) (the largest slope of a state) and state_scale, what each
+## state may be off by where a centreline point is off by 1 m; forms, refusal and auto (see @code{integrate}),
+## warnings, duration (s), gravity (m/s^2), force (t) of the scene, energy_rows (of W and D in y).
 ## @end deftypefn
 
 function system = hinged_rod (scene, model)

@@ -2,8 +2,8 @@
 ## @deftypefn {} {[@var{hinges}, @var{springs}, @var{forces}, @var{moments}] =} joint_data (@var{drawing}, @
 ##   @var{points}, @var{shown}, @var{unit})
 ## The hinges, springs, forces and moments of joints of a @var{drawing} (see @code{draw_pictures}) for
-## @file{report.js}, cells: a hinge's shape, angle (rad) and whether it is on the ground, a spring's shape and its ends, from and to,
-## a force's components (N), a moment M (N m).
+## @file{report.js}, cells: a hinge's shape, angle (rad) and whether it is on the ground, a spring's shape and its
+## ends, from and to, a force's components (N), a moment M (N m).
 ##
 ## Each hinge, end and load has its places x and y in the frames @var{shown}, whole numbers of the @var{unit} (m).  It
 ## goes with the point of a body that it lies on in all frames, at any zoom: body and point, from 0, of at most so many
