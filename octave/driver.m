@@ -34,45 +34,23 @@ endfunction
 
 ## what would take longer than the seconds left is given up
 function result = run_scene (scene, kind, output, name, command_with, start, left)
-  exactly = @(why) exact_run (why, scene, kind, output, name, command_with, start);
-  by_itself = strcmp (output.exact, "auto");
-  passed = @(dropped) any (dropped > scene.solver.tolerance) && ! isempty (kind.exactly (scene));
-  drops = @(dropped) sprintf ("all its models drop up to %.2g m, the tolerance is %.2g m", dropped, ...
-                              scene.solver.tolerance);
+  by_itself = strcmp (output.exact, "auto") && ! isempty (kind.exactly (scene));
   why_not = {};
-
-  try
-    [model, choice] = chosen_model (kind, scene, left, @(trial) by_itself && passed (kind.bound (scene, trial)));
-    announce (choice);
-    if (choice.useless)
-      [result, why_not] = exactly (drops (kind.bound (scene, choice.trial)));
-      if (! isempty (result))
-        return;
-      endif
-      [model, choice] = chosen_model (kind, scene, left);
-      announce (choice);
+  [run, summary, unfit, err] = run_chosen (kind, scene, name, left, by_itself);
+  if (by_itself && ! isempty (unfit))
+    [result, why_not] = exact_run (unfit, scene, kind, output, name, command_with, start);
+    if (! isempty (result))
+      return;
+    elseif (isempty (run) && isempty (err))
+      [run, summary, ~, err] = run_chosen (kind, scene, name, left);
     endif
-    cellfun (@(text) say ("warning: %s", text), kind.foreseen (scene, model));
-    run = setfield (balanced_run (kind, scene, model, choice, left), "rung", choice.rung);
-  catch err
+  endif
+  if (! isempty (err))
     if (strcmp (err.identifier, "toolchain:integration:steep"))
-      if (by_itself && ! isempty (kind.exactly (scene)))
-        [result, why_not] = exactly ("its models of small slopes bend too far");
-        if (! isempty (result))
-          return;
-        endif
-      endif
       err = with_remedy (err, [why_not, {kind.instead(scene)}]{1});
     endif
     record_failure (output, name, scene, err);
     rethrow (err);
-  end_try_catch
-  summary = summarise (kind, name, scene, run, choice);
-  if (isempty (why_not) && by_itself && passed (summary.dropped_m))
-    [result, why_not] = exactly (drops (summary.dropped_m));
-    if (! isempty (result))
-      return;
-    endif
   endif
   summary.warnings = [summary.warnings, why_not];
   summary.command = command_with ({});
