@@ -1,12 +1,13 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{joints} =} check_joints (@var{given}, @var{of_bodies})
+## @deftypefn {} {@var{joints} =} check_joints (@var{given}, @var{of_bodies}, @var{names})
 ## The joints of a scene with all their fields (see @code{joint_fields}), those @var{given}, checked, and defaults for
-## the others: a struct array in which the bodies are two numbers (0: the ground), the stations two (m) and constant
-## says whether the value is numbers.  @var{of_bodies} are the checked bodies, a struct array with the field rod.
+## the others: a struct array in which the bodies are two numbers (0: the ground), the stations two (m), constant
+## says whether the value is numbers, and value_name what messages call it.  @var{of_bodies} are the checked bodies, a
+## struct array with the field rod; @var{names}, "joints" or a cell array, is what @code{take_list} takes.
 ## @end deftypefn
 
-function joints = check_joints (given, of_bodies)
-  joints = take_list (given, joint_fields (), "joints", "joint", ...
+function joints = check_joints (given, of_bodies, names = "joints")
+  joints = take_list (given, joint_fields (), names, "joint", ...
                       @(joint, what) check_joint (joint, what, of_bodies));
 endfunction
 
@@ -24,14 +25,8 @@ function joint = check_joint (joint, what, of_bodies)
                  num2str (joint.stations(:).'), numel (on));
   endif
   for k = 1:numel (on)
-    length = of_bodies(on(k)).rod.length;
-    if (abs (joint.stations(k) - length) < 1e-9*length)
-      joint.stations(k) = length;  # but for rounding
-    endif
-    if (joint.stations(k) < 0 || joint.stations(k) > length)
-      scene_error ("%s.stations(%d) is %g: body %d has places from 0 to %g m", what, k, joint.stations(k), ...
-                   on(k), length);
-    endif
+    joint.stations(k) = station_on_rod (sprintf ("%s.stations(%d)", what, k), joint.stations(k), ...
+                                        of_bodies(on(k)).rod.length, sprintf ("body %d", on(k)));
   endfor
   joint.stations = [joint.stations(:).', 0](1:2);
   if (numel (joint.point) != 2)
@@ -41,8 +36,14 @@ function joint = check_joint (joint, what, of_bodies)
     scene_error ("%s.rest is %g: a bushing holds its points together, its rest is 0", what, joint.rest);
   endif
   joint.constant = isnumeric (joint.value);
+  joint.value_name = value_name (what);
 endfunction
 
+%!test # messages call a value as the scene does
+%! joint = struct ("kind", "moment", "bodies", 1, "stations", 0);
+%! bodies = struct ("rod", struct ("length", 1));
+%! assert ({check_joints({joint, joint}, bodies).value_name}, {"joints(1).value", "joints(2).value"});
+%! assert ({check_joints({joint, joint}, bodies, {"moment", "joints(1)"}).value_name}, {"moment", "joints(1).value"});
 %!test # the ground may go without saying
 %! bodies = struct ("rod", {struct("length", 1), struct("length", 2)});
 %! joints = check_joints ({struct("kind", "revolute", "bodies", 2, "stations", 2)}, bodies);

@@ -9,14 +9,14 @@ function loads = joint_loads (joints, dimension = 2)
   for k = 1:numel (joints)
     [numbers, orders] = value_size (joints(k), dimension);
     all = numbers*orders;
-    takes = sprintf ("%d numbers", all);
+    takes = how_many (all, "number");
     prescribed = [];
     if (orders == 3)
       takes = sprintf ("%d numbers, a row each for place, rate and acceleration", all);
       prescribed = find (mod (1:all, 3) > 0);
     endif
     if (all > 0)
-      rows(end+1,:) = {sprintf("joints(%d).value", k), joints(k).value, all, takes, prescribed, false};
+      rows(end+1,:) = {joints(k).value_name, joints(k).value, all, takes, prescribed, false};
     endif
   endfor
   loads = load_list (rows);
@@ -24,7 +24,8 @@ endfunction
 
 %!test # a force and a prescribed place; a number and a revolute joint are none
 %! kinds = {"revolute", "force", "position", "moment"};
-%! joints = struct ("kind", kinds, "value", {0, @(t) [1 t], @(t) zeros (3, 2), 5});
+%! names = {"hinge", "joints(2).value", "joints(3).value", "moment"};
+%! joints = struct ("kind", kinds, "value", {0, @(t) [1 t], @(t) zeros (3, 2), 5}, "value_name", names);
 %! loads = joint_loads (joints);
 %! assert ({loads.name}, {"joints(2).value", "joints(3).value"});
 %! assert (loads(2).prescribed, [1 2 4 5]); assert (loads(2).numbers, 6);

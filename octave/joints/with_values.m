@@ -6,7 +6,7 @@
 
 function joints = with_values (joints, of_bodies)
   for k = 1:numel (joints)
-    joints(k).value = joint_value (joints(k), sprintf ("joints(%d).value", k), of_bodies);
+    joints(k).value = joint_value (joints(k), joints(k).value_name, of_bodies);
   endfor
 endfunction
 

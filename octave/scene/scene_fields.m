@@ -26,7 +26,7 @@ function fields = scene_fields ()
     "moment_breaks",         [],             "vector of times in s"
     "rotation",              [],             "function of t that returns [theta theta_dot theta_ddot]"
     "force",                 [],             "function of t that returns [F_x F_y] in N"
-    "force_station",         [],             "nonnegative number in m"
+    "force_station",         [],             "number in m"
     "tip_mass",              0,              "nonnegative number in kg"
     "joints",                {},             "struct array, or cell array of structs"
     "initial.from",          "",             "text"

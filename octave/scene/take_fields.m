@@ -15,21 +15,13 @@ function taken = take_fields (given, fields, what)
       value = getfield (given, path{:});
       got = value_error (kind, value);
       if (! isempty (got))
-        scene_error ("%s%s is %s: it takes %s", within (what), name, got, kind);
+        scene_error ("%s%s is %s: it takes %s", field_prefix (what), name, got, kind);
       endif
     elseif (isnumeric (value) && isscalar (value) && isnan (value))
-      scene_error ("%s%s is missing: it takes %s", within (what), name, kind);
+      scene_error ("%s%s is missing: it takes %s", field_prefix (what), name, kind);
     endif
     taken = setfield (taken, path{:}, value);
   endfor
-endfunction
-
-## fields of a part of a scene are named with it: "bodies(2).rod.length"
-function prefix = within (what)
-  prefix = "";
-  if (any (what == "("))
-    prefix = [what "."];
-  endif
 endfunction
 
 function refuse_unknown (given, prefix, names, what)
@@ -37,11 +29,11 @@ function refuse_unknown (given, prefix, names, what)
     name = [prefix key];
     if (any (strncmp ([name "."], names, numel (name) + 1)))
       if (! (isstruct (value) && isscalar (value)))
-        scene_error ("%s%s is a %s: it takes a struct", within (what), name, class (value));
+        scene_error ("%s%s is a %s: it takes a struct", field_prefix (what), name, class (value));
       endif
       refuse_unknown (value, [name "."], names, what);
     elseif (! any (strcmp (name, names)))
-      scene_error ("%s%s is not a field of %s: those are %s", within (what), name, what, strjoin (names.', ", "));
+      scene_error ("%s%s is not a field of %s: those are %s", field_prefix (what), name, what, strjoin (names.', ", "));
     endif
   endfor
 endfunction

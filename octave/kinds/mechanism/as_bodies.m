@@ -1,44 +1,63 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{scene} =} as_bodies (@var{given})
+## @deftypefn {} {[@var{scene}, @var{names}] =} as_bodies (@var{given})
 ## A scene of one rod with @code{joints} that constrain it (a slider, say) as a scene of one body: its hinge at O, or,
 ## with a rotation, the hub that turns its tangent there, its moment and its force are joints of it, beside those
 ## given, which are on it where they do not say on which body.  Scenes that have bodies, or no rod, come back as they
 ## are.
+##
+## @var{names}: bodies and joints, what messages call them (see @code{take_list}), as they stand in @var{given}.
 ## @end deftypefn
 
-function scene = as_bodies (given)
+function [scene, names] = as_bodies (given)
   scene = given;
+  names = struct ("bodies", "bodies", "joints", "joints");
   if (isfield (given, "bodies") || ! isfield (given, "rod"))
     return;
   endif
   own = {"rod", "tip_mass", "initial", "model"};
-  short = {"rotation", "moment", "moment_breaks", "force", "force_station", "joints"};
   for name = intersect (own, fieldnames (given)).'
     body.(name{1}) = given.(name{1});
   endfor
-  scene = rmfield (given, intersect ([own, short], fieldnames (given)));
+  body = without_moment_work (body);
+  short = short_fields (given);
+  scene = rmfield (given, intersect ([own, fieldnames(short).'], fieldnames (given)));
   if (isfield (body, "initial") && isstruct (body.initial) && isfield (body.initial, "from"))
     scene.initial.from = body.initial.from;
     body.initial = rmfield (body.initial, "from");
   endif
-  if (isfield (given, "rotation") && is_function_handle (given.rotation))
-    body = turned_at_first (body, given.rotation (0));
+  if (! isempty (short.rotation))
+    body = turned_at_first (body, short.rotation (0));
   endif
+  hinge = struct ("name", "hinge", "kind", "revolute", "bodies", 1, "stations", 0);
+  own_joints = on_one_body (short.joints);
   scene.bodies = {body};
-  scene.joints = [{struct("name", "hinge", "kind", "revolute", "bodies", 1, "stations", 0)}, loads_of(given), ...
-                  numbered(on_one_body (field_or (given, "joints", {})))];
+  scene.joints = [{hinge}, loads_of(short, isfield (given, "moment"), given.rod)];
+  names.bodies = {"a scene"};
+  names.joints = [cellfun(@(joint) joint.name, scene.joints, "uniformoutput", false), ...
+                  arrayfun(@(k) sprintf ("joints(%d)", k), 1:numel (own_joints), "uniformoutput", false)];
+  scene.joints = [scene.joints, own_joints];
   if (isfield (given, "moment_breaks"))
-    scene.breaks = given.moment_breaks;
+    scene.breaks = short.moment_breaks;
   endif
 endfunction
 
-## those given, as they are numbered there
-function joints = numbered (joints)
-  for k = 1:numel (joints)
-    if (isstruct (joints{k}) && isempty (field_or (joints{k}, "name", "")))
-      joints{k}.name = sprintf ("joint %d", k);
+## what a scene of one rod says of its loads and joints, checked, and the defaults
+function short = short_fields (given)
+  names = {"rotation", "moment", "moment_breaks", "force", "force_station", "joints"};
+  fields = scene_fields ();
+  given = rmfield (given, setdiff (fieldnames (given), names));
+  short = take_fields (given, fields(ismember (fields(:,1), names),:), "a scene");
+endfunction
+
+## a body knows no other than that by its tangent
+function body = without_moment_work (body)
+  if (isfield (body, "model") && isfield (body.model, "moment_work"))
+    got = value_error ("\"tangent\"", body.model.moment_work);
+    if (! isempty (got))
+      scene_error ("model.moment_work is %s: the rod is a body of a mechanism here, which takes \"tangent\"", got);
     endif
-  endfor
+    body.model = rmfield (body.model, "moment_work");
+  endif
 endfunction
 
 ## where the hub has it, unless it says otherwise
@@ -49,23 +68,23 @@ function body = turned_at_first (body, turn)
   endfor
 endfunction
 
-function joints = loads_of (given)
+function joints = loads_of (short, pushed, rod)
   joints = {};
-  if (isfield (given, "rotation") && ! isempty (given.rotation))
-    joints{end+1} = struct ("name", "rotation", "kind", "angle", "bodies", 1, "stations", 0, "value", given.rotation);
+  if (! isempty (short.rotation))
+    joints{end+1} = struct ("name", "rotation", "kind", "angle", "bodies", 1, "stations", 0, "value", short.rotation);
   endif
-  if (isfield (given, "moment"))
-    joints{end+1} = struct ("name", "moment", "kind", "moment", "bodies", 1, "stations", 0, "value", given.moment);
+  if (pushed)
+    joints{end+1} = struct ("name", "moment", "kind", "moment", "bodies", 1, "stations", 0, "value", short.moment);
   endif
-  if (isfield (given, "force") && ! isempty (given.force))
+  if (! isempty (short.force))
     station = [];  # the tip, where the rod has a length
-    if (isfield (given.rod, "length"))
-      station = given.rod.length;
+    if (isfield (rod, "length") && isnumeric (rod.length))
+      station = rod.length;
     endif
-    if (isfield (given, "force_station") && ! isempty (given.force_station))
-      station = given.force_station;
+    if (! isempty (short.force_station))
+      station = station_on_rod ("force_station", short.force_station, station);
     endif
-    joints{end+1} = struct ("name", "force", "kind", "force", "bodies", 1, "stations", station, "value", given.force);
+    joints{end+1} = struct ("name", "force", "kind", "force", "bodies", 1, "stations", station, "value", short.force);
   endif
 endfunction
 
@@ -74,6 +93,14 @@ endfunction
 %!  scene.model = struct ("modes", [0 2], "energy", "uniaxial", "rotary_inertia", false, "stiffening", "none");
 %!  [scene.gravity, scene.duration, scene.frames_per_second, scene.solver.tolerance] = deal (0, 0.2, 20, 1e-7);
 %!  scene.initial.phi_dot = 0.1;
+%!endfunction
+%!function message = refusal (scene)
+%!  message = "";
+%!  try
+%!    check_mechanism (scene);
+%!  catch err
+%!    message = err.message;
+%!  end_try_catch
 %!endfunction
 %!test # a spring at the hinge and a straight guide of the middle, in the short form and as a body
 %! joints = {struct("kind", "torsion_spring", "stations", 0, "stiffness", 1), ...
@@ -94,4 +121,22 @@ endfunction
 %! scene = setfield (setfield (scene, "force", @(t) [0 -0.05]), "tip_mass", 0.5);
 %! with = as_bodies (setfield (scene, "joints", {struct("kind", "torsion_spring", "stations", 0, "stiffness", 0)}));
 %! assert (driver (with, "output", "").history.bodies.tip_y, driver (scene, "output", "").history.tip_y, 1e-6);
+%!test # messages call everything as the scene has it
+%! slider = struct ("kind", "slider", "stations", 0.5);
+%! scene = setfield (setfield (hinged (), "moment", 0.1), "joints", {slider, slider});
+%! refused = @(scene, message) assert (strncmp (refusal (scene), message, numel (message)));
+%! refused (setfield (scene, "joints", 3), "joints is 3: it takes");
+%! refused (setfield (scene, "joints", {slider, 3}), "joints(2) is a double");
+%! refused (setfield (scene, "joints", {slider, setfield(slider, "stations", 2)}), "joints(2).stations(1) is 2: it");
+%! refused (setfield (scene, "moment", @(t) [1 2]), "moment gives [1 2] at t = 0: it takes 1 number");
+%! refused (setfield (scene, "moment", "much"), "moment is \"much\": it takes number or function of t in N m");
+%! refused (setfield (scene, "rod", "length", -1), "rod.length is -1: it takes positive number in m");
+%! refused (setfield (scene, "rod", "EA", []), "rod.EA, rod.EI and rod.rhoA are given together");
+%! refused (setfield (scene, "rods", 3), "rods is not a field of");
+%! refused (setfield (scene, "model", "moment_work", "chord"), "model.moment_work is \"chord\": ");
+%! refused (setfield (scene, "model", "axial", "quasistatic"), "model.axial is \"quasistatic\": ");
+%! [scene.force, scene.force_station] = deal (@(t) [0 1], 2);
+%! refused (scene, "force_station is 2: it takes a place on the rod, from 0 to 1 m");
+%! stated = setfield (setfield (hinged (), "joints", {slider}), "model", "moment_work", "tangent");
+%! assert ({check_mechanism(stated).joints.name}, {"hinge", "joint 1"});
 %!error <bodies is missing: it takes struct array> driver (struct ("joints", {{}}, "duration", 1), "output", "")

@@ -8,14 +8,15 @@
 
 function scene = check_mechanism (given)
   [fields, of_body] = mechanism_fields ();
-  scene = take_fields (same_modes (as_bodies (spelled_start (without_probed (given)))), fields, "a scene of bodies");
+  [scene, names] = as_bodies (spelled_start (without_probed (given)));
+  scene = take_fields (same_modes (scene), fields, "a scene of bodies");
   refuse_missing_solver (scene.solver.name, "radau");
-  scene.bodies = take_list (scene.bodies, of_body, "bodies", "body", @check_body);
+  scene.bodies = take_list (scene.bodies, of_body, names.bodies, "body", @check_body);
   if (isempty (scene.bodies))
     scene_error ("bodies is empty: it takes a struct for each body");
   endif
   scene.longest = max (arrayfun (@(body) body.rod.length, scene.bodies));
-  scene.joints = check_joints (scene.joints, scene.bodies);
+  scene.joints = check_joints (scene.joints, scene.bodies, names.joints);
   [scene.breaks, scene.probed] = load_breaks (joint_loads (scene.joints), scene.breaks, scene);
   scene.joints = with_values (scene.joints, scene.bodies);
   refuse_rates_of_joints (scene);
@@ -43,22 +44,23 @@ function refuse_rates_of_joints (scene)
   for k = 1:numel (scene.joints)
     [numbers, orders] = value_size (scene.joints(k));
     for part = 1:numbers*(orders == 3)
-      refuse_wrong_rates (@(t) scene.joints(k).value (t)(:,part), scene.duration, sprintf ("joints(%d).value", k), ...
+      refuse_wrong_rates (@(t) scene.joints(k).value (t)(:,part), scene.duration, scene.joints(k).value_name, ...
                           {"value", "rate", "second rate", "a value"});
     endfor
   endfor
 endfunction
 
 function body = check_body (body, what)
-  check_section (body.rod, [what "."]);
+  prefix = field_prefix (what);
+  check_section (body.rod, prefix);
   if (! isempty (body.rod.curvature))
-    check_curvature (body.rod, [what "."]);
+    check_curvature (body.rod, prefix);
     if (strcmp (body.model.stiffening, "foreshortening"))
-      scene_error ("%s.rod.curvature is given: a curved rod takes no model.stiffening = \"foreshortening\"", what);
+      scene_error ("%srod.curvature is given: a curved rod takes no model.stiffening = \"foreshortening\"", prefix);
     endif
   endif
   if (strcmp (body.model.axial, "quasistatic"))
-    scene_error ("%s.model.axial is \"quasistatic\": a rod of a mechanism takes \"dynamic\" or \"none\"", what);
+    scene_error ("%smodel.axial is \"quasistatic\": a rod of a mechanism takes \"dynamic\" or \"none\"", prefix);
   endif
 endfunction
 
@@ -77,7 +79,7 @@ endfunction
 %! scene = two (); scene.joints{1}.kind = "glue"; check_mechanism (scene);
 %!error <joints\(2\).bodies is \[1  3\]: it takes a body's number from 1 to 2>
 %! scene = two (); scene.joints{2}.bodies = [1 3]; check_mechanism (scene);
-%!error <joints\(2\).stations\(1\) is 1.5: body 1 has places from 0 to 1 m>
+%!error <joints\(2\).stations\(1\) is 1.5: it takes a place on body 1, from 0 to 1 m>
 %! scene = two (); scene.joints{2}.stations = [1.5 0]; check_mechanism (scene);
 %!error <joints\(2\).rest is 1: a bushing holds its points together, its rest is 0>
 %! scene = two (); [scene.joints{2}.kind, scene.joints{2}.rest] = deal ("bushing", 1); check_mechanism (scene);

@@ -74,7 +74,7 @@ endfunction
 %!error <rotation gives 3 at t = 0: it takes 3 numbers, theta,>
 %! check_scene (setfield (smallest (), "rotation", @(t) 3));
 %!error <force fails at t = 0: no wind> check_scene (setfield (smallest (), "force", @(t) error ("no wind")))
-%!error <force_station is 2: it takes a place on the rod, at most 1 m>
+%!error <force_station is 2: it takes a place on the rod, from 0 to 1 m>
 %! check_scene (setfield (smallest (), "force_station", 2));
 %!error <moment and rotation are both given>
 %! check_scene (setfield (setfield (smallest (), "moment", 1), "rotation", @(t) [0 0 0]))

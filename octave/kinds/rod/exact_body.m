@@ -32,7 +32,7 @@ endfunction
 
 ## a checked joint's second end is on the ground
 function joint = as_given (joint)
-  joint = rmfield (joint, {"constant", "bodies"});
+  joint = rmfield (joint, {"constant", "value_name", "bodies"});
   joint.stations = joint.stations(1);
 endfunction
 

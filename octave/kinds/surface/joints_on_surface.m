@@ -13,7 +13,7 @@ function [joints, loads] = joints_on_surface (scene)
   joints = take_list (scene.joints, fields, "joints", "joint", @(joint, what) check_joint (joint, what, scene.rod));
   loads = joint_loads (joints, 3);
   for k = 1:numel (joints)
-    watched = watched_columns (sprintf ("joints(%d).value", k), joints(k).value);
+    watched = watched_columns (joints(k).value_name, joints(k).value);
     joints(k).value = @(t) reshape (watched (t), 1, []);
   endfor
 endfunction
@@ -23,13 +23,14 @@ function joint = check_joint (joint, what, rod)
     scene_error ("%s.kind is \"%s\": a rod on a surface takes \"force\", \"moment\" and \"spring\"", what, joint.kind);
   elseif (! any (joint.bodies(:).' == 1) || any (joint.bodies > 1))
     scene_error ("%s.bodies is [%s]: there is one rod", what, num2str (joint.bodies(:).'));
-  elseif (! (isscalar (joint.stations) && joint.stations >= 0 && joint.stations <= rod.length))
-    scene_error ("%s.stations is [%s]: it takes a place on the rod, from 0 to %g m", what, ...
-                 num2str (joint.stations(:).'), rod.length);
+  elseif (! isscalar (joint.stations))
+    scene_error ("%s.stations are [%s]: it takes one station on the rod", what, num2str (joint.stations(:).'));
   elseif (numel (joint.point) != 3)
     scene_error ("%s.point has %d numbers: it takes [x y z] in m", what, numel (joint.point));
   endif
+  joint.stations = station_on_rod ([what ".stations"], joint.stations, rod.length);
   joint.point = joint.point(:).';
+  joint.value_name = value_name (what);
   count = value_size (joint, 3);
   if (isnumeric (joint.value) && numel (joint.value) != count && count > 0)
     scene_error ("%s.value has %d numbers: it takes %d or a function of t", what, numel (joint.value), count);
@@ -48,7 +49,9 @@ endfunction
 %! assert (joints.value (5), 5); assert (loads.name, "joints(1).value"); assert (loads.numbers, 1);
 %!error <joints\(1\).kind is "slider": a rod on a surface takes "force", "moment" and "spring">
 %! joints_on_surface (with (struct ("kind", "slider", "stations", 1)))
-%!error <joints\(1\).stations is \[3\]: it takes a place on the rod, from 0 to 2 m>
+%!error <joints\(1\).stations are \[1 +2\]: it takes one station on the rod>
+%! joints_on_surface (with (struct ("kind", "spring", "stations", [1 2])))
+%!error <joints\(1\).stations is 3: it takes a place on the rod, from 0 to 2 m>
 %! joints_on_surface (with (struct ("kind", "spring", "stations", 3)))
 %!error <joints\(1\).bodies is \[2\]: there is one rod>
 %! joints_on_surface (with (struct ("kind", "spring", "stations", 1, "bodies", 2)))

@@ -1,0 +1,14 @@
+## -*- texinfo -*-
+## @deftypefn {} {@var{name} =} value_name (@var{what})
+## What messages call the value of a joint: "joints(2).value" of @var{what} = joints(2), and moment itself of "moment",
+## which a scene of one rod has in short.
+## @end deftypefn
+
+function name = value_name (what)
+  name = what;
+  if (any (what == "("))
+    name = [what ".value"];
+  endif
+endfunction
+
+%!assert ({value_name("joints(2)"), value_name("moment")}, {"joints(2).value", "moment"})
