@@ -35,6 +35,7 @@ function [breaks, probed] = load_breaks (loads, stated, scene)
     [breaks, new] = united (breaks, found, scene.duration);
     probed(end+1) = struct ("name", load.name, "looked_at", numel (t), "breaks", new);
   endfor
+  breaks = breaks(breaks > 0 & breaks < scene.duration);
 endfunction
 
 ## the ends of rests at which a load fades to a break: as far beyond the end as the break is, it is a millionth yet
@@ -113,6 +114,8 @@ endfunction
 %! assert (of (@(t) t.*(t < 1/3), 0.333333333), 1/3);
 %!error <moment jumps from 0 to 1 at t = 3, its number 2: no force can> of (@(t) [0 (t >= 3) 0], [], [1 2], 3)
 %!error <moment jumps from 3 to 2 at t = 3, its number 1> of (@(t) [t-(t >= 3), 1, 0], [], [1 2], 3)
+%!test # what is stated beside the run is none of its breaks
+%! assert (of (@(t) 0*t, [-1 0 5 20 20.00001]), 5);
 %!test # stated twice, but for rounding
 %! assert (of (@(t) 0*t, [5, 5 + 1e-11, 7]), [5 7], 1e-10);
 %!test # an acceleration may

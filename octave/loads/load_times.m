@@ -5,8 +5,7 @@
 ## @end deftypefn
 
 function times = load_times (scene)
-  breaks = scene.moment_breaks;
-  ends = unique ([0, breaks(breaks > 0 & breaks < scene.duration), scene.duration]);
+  [~, ends] = meet_breaks ([0, scene.duration], scene.moment_breaks);
   times = linspace (0, scene.duration, 1000);
   for k = 1:numel (ends) - 1
     inside = inside_of (ends([k, k+1]));

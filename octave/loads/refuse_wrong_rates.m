@@ -14,9 +14,11 @@ function refuse_wrong_rates (rotation, duration, what = "rotation", ...
   for k = 1:2
     rounding = 1e-8*max (abs (values(k,:)))/duration;
     off = abs (quotients(k,:) - values(k+1,:));
-    if (sum (off > 1e-3*max (abs ([quotients(k,:), values(k+1,:)])) + rounding) > 10)
+    wrong = find (off > 1e-3*max (abs ([quotients(k,:), values(k+1,:)])) + rounding);
+    if (numel (wrong) > 10)
+      j = wrong(1);
       scene_error (["%s gives %s = %.6g at t = %.6g, where its %s rises by %.6g a second: it takes %s and" ...
-                    " its rates"], what, names{k+1}, values(k+1,1), t(1), names{k}, quotients(k,1), ...
+                    " its rates"], what, names{k+1}, values(k+1,j), t(j), names{k}, quotients(k,j), ...
                    names{4});
     endif
   endfor
@@ -31,5 +33,7 @@ endfunction
 %! refuse_wrong_rates (@(t) [t^2 t 2], 1);
 %!error <joints\(2\).value gives rate = 0.61.* where its value rises by 1.23807 a second: it takes a value and its rates>
 %! refuse_wrong_rates (@(t) [t^2 t 2], 1, "joints(2).value", {"value", "rate", "second rate", "a value"});
+%!error <rotation gives theta_dot = 0 at t = 0.568256, where its theta rises by 1 a second>  # the first that is wrong
+%! refuse_wrong_rates (@(t) [min(t, 1.3), 0, 0], 2.3);
 %!error <rotation gives theta_ddot = 0 at t = .*, where its theta_dot rises by 2 a second>
 %! refuse_wrong_rates (@(t) [t^2 2*t 0], 3);

@@ -35,15 +35,23 @@ function [scene, output] = take_options (scene, folder, options)
     elseif (strcmp (name, "command"))
       output.command = value;
     elseif (ischar (name) && isfield (fields, name))
-      scene = setfield (scene, fields.(name){:}, value);
+      scene = with_field (scene, fields.(name), value);
     else
       scene_error (["\"%s\" is not an option: those are %s, output, pictures, dense, exact, command, and of each" ...
                     " study what `make help' says"], disp_name (name), strjoin (fieldnames (fields).', ", "));
     endif
   endfor
-  if (isequal (output.exact, true) && any (cellfun (@(name) isequal (name, "modes"), options(1:2:end))) ...
-      && ! strcmp (scene.model.modes, "auto"))
+  modes = options(2:2:end)(strcmp (options(1:2:end), "modes"));
+  if (isequal (output.exact, true) && ! isempty (modes) && ! strcmp (modes{end}, "auto"))
     scene_error ("exact and modes are both given: the exact rod takes as many polynomials as it needs");
+  endif
+endfunction
+
+## left as it is where the scene has no struct for it, which its check tells
+function scene = with_field (scene, path, value)
+  parent = field_or (scene, path{1}, struct ());
+  if (isscalar (path) || (isstruct (parent) && isscalar (parent)))
+    scene = setfield (scene, path{:}, value);
   endif
 endfunction
 
@@ -59,6 +67,9 @@ endfunction
 %! assert (nthargout (2, @take_options, scene, "here", {"dense", 1e3}).dense, 1e3);
 %! assert (nthargout (2, @take_options, scene, "here", {"pictures", false}).pictures, false);
 %! assert (nthargout (2, @take_options, scene, "here", {"pictures", 1}).pictures, true);
+%!test # what is no struct is left to the check
+%! assert (take_options (struct ("model", 3), "", {"modes", "auto", "exact", true}).model, 3);
+%! assert (size (take_options (struct ("solver", {struct("step", {1; 2})}), "", {"tolerance", 1}).solver), [2 1]);
 %!assert (nthargout (2, @take_options, struct (), "", {"output", "-x"}).folder, "./-x")
 %!error <pictures is maybe: it takes true or false, PICTURES=yes or no>
 %! take_options (struct (), "", {"pictures", "maybe"});

@@ -22,6 +22,9 @@ function found = campbell (scene = "spin_up", varargin)
     speeds = linspace (0, highest_speed (turning.speed), 13);
   endif
   result = followed_branches (turning.about, speeds, 6);
+  if (isempty (result.f))
+    scene_error ("nothing vibrates at %g rad/s: state model.modes that bend, [0 3] say", speeds(1));
+  endif
   for k = 1:numel (speeds)
     say ("  %10.5g rad/s: %s Hz, MAC at least %.3f", speeds(k), sprintf ("%11.7g", result.f(:,k)), ...
          min (result.mac(:,k)));
@@ -71,6 +74,8 @@ function speed = highest_speed (speed)
   endif
 endfunction
 
+%!error <nothing vibrates at 1 rad/s: state model.modes that bend> campbell ("swing", "modes", [0 0], "speeds", [1 5])
+%!error <nothing vibrates at 0 rad/s: state model.modes> campbell ("spin_up", "modes", [0 0])
 %!error <no steady rotation: a rod on a surface turns in a hub> campbell ("bowl", "speeds", [0 1])
 %!error <the scene has no rotation: state the speeds> campbell ("swing")
 %!error <no steady rotation: .* holds a body to another point of the ground> campbell ("four_bar", "speeds", [0 1])

@@ -13,6 +13,7 @@
 
 function table = model_ladder (scene = "paper", varargin)
   [scene, kind, output, left] = study_scene (scene, [varargin, {"modes", "auto"}]);
+  refuse_one_frame (scene);
   ladder = ladder_of (kind, scene, left);
   found = measure_all (kind, scene, ladder, left);
   publish_study (output, {"models.csv"}, {"models.svg", "models.png"}, @(aside) write_ladder (found, aside), ...

@@ -30,6 +30,9 @@ function table = natural_modes (scene = "paper", varargin)
   publish_study (output, {"modes.csv"}, {"modes.svg", "modes.png"}, ...
                  @(aside) write_modes (rows, found.balance.names, aside), ...
                  @(scratch) draw_shapes ("modes", mode_panels (rows, found), scene, scratch));
+  if (isempty (output.folder) || ! output.pictures)
+    films = [];
+  endif
   for k = films(films <= numel (rows))(:).'  # 0-by-0 goes round once in Octave 11
     film_mode (output, scene, found, k, title_of (rows(k)));
   endfor
@@ -103,6 +106,8 @@ endfunction
 %! said = evalc ("table = natural_modes ('spin_up', 'time', 0.5, 'modes', [0 2], 'output', folder);");
 %! assert (numel (table), 2); assert (isnan ([table.change]));
 %! assert (! isempty (strfind (said, "of the modes of the run up to t = 0.5 s")));
+%!test # no folder, no film
+%! evalc ("natural_modes ('swing', 'modes', [0 1], 'film', 1, 'output', '');");
 %!error <cannot be made|can be written> natural_modes ("paper", "output", "/proc/nowhere")
 %!test # a rod swings about its hinge, and bends; table and pictures are there
 %! [folder, gone] = scratch_folder ();

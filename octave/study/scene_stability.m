@@ -14,6 +14,7 @@
 function table = scene_stability (scene = "paper", varargin)
   given = scene;
   [scene, kind, output, left] = study_scene (scene, varargin);
+  refuse_one_frame (scene);
   [model, choice] = chosen_model (kind, scene);
   whole = kind.system (scene, model);
   system = at_rates (whole);

@@ -14,10 +14,6 @@ function [scene, kind, output, left] = study_scene (which, options, change = @(s
                                     "seconds, a positive number");
   left = @() max (budget - toc (start), 0);
   [scene, kind, output] = checked_scene (which, options, change);
-  if (numel (frame_times (scene)) < 2)
-    scene_error ("duration is %g: a study takes more than one frame, at %g frames a second", scene.duration, ...
-                 scene.frames_per_second);
-  endif
   if (! isempty (output.folder))
     require_folder (output.folder);
   endif
@@ -25,7 +21,6 @@ endfunction
 
 %!error <cannot be made|can be written> study_scene ("paper", {"output", "/proc/nowhere"})
 %!error <model.modes is "many": it takes> study_scene ("bowl", {"modes", "many"})
-%!error <duration is 0.001: a study takes more than one frame> study_scene (setfield (swing (), "duration", 1e-3), {})
 %!error <budget is -1: it takes seconds, a positive number> study_scene ("paper", {"budget", -1})
 %!error <budget is soon: it takes seconds> study_scene ("paper", {"budget", "soon"})
 %!test

@@ -21,7 +21,7 @@ function model = with_matrices (model, found, into, hold, by)
   held = [zeros(m, 2*p), drives, zeros(m, d)];  # inputs by the states
   left = into*held - linear.stiffness*place - damping*rate;  # forces without inertia, by the states
   pushed = into*loads*loads.' - linear.mass*S*drives.';  # and by the inputs
-  scale = 1./sqrt (diag (linear.M));  # polynomials of strains weigh by powers of ten
+  scale = 1./sqrt (diag (linear.M)(:));  # polynomials of strains weigh by powers of ten
   y = scale.*((scale.*linear.M.*scale.') \ (scale.*(Z.'*[left, pushed])));
   [y_x, y_u] = deal (y(:,1:columns (left)), y(:,columns (left)+1:end));
   model.M = linear.M;
@@ -50,3 +50,10 @@ endfunction
 %! assert (model.A, [0 1 0 0; -5/2 0 3/2 0; 0 0 0 1; 0 0 0 0]); assert (model.B, [0 0; 1/2 0; 0 0; 0 1]);
 %! assert ({model.F, model.C_out, model.D}, {[1 0], [1 0 0 0], [0 0]});
 %! assert (model.basis, found.linear.basis);
+%!test # what is held altogether has no states but those of what is prescribed: q = d, u = 3 d
+%! model = struct ("driven", true);
+%! found.linear = struct ("M", [], "C", [], "K", [], "basis", zeros (1, 0), "stiffness", 3, "mass", 2, "jacobian", 1);
+%! found.balance.damping = @(t, q, lambda) 0;
+%! [found.time, found.q, found.lambda] = deal (0, 0, 0);
+%! model = with_matrices (model, found, 0, 1, struct ("q", 1, "v", 0, "lambda", 0, "u", 3));
+%! assert (model.A, [0 1; 0 0]); assert (model.B, [0; 1]); assert (model.C_out, [4 0]);

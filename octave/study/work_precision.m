@@ -15,6 +15,7 @@
 
 function table = work_precision (scene = "paper", varargin)
   [scene, kind, output, left] = study_scene (scene, varargin);
+  refuse_one_frame (scene);
   budget = left ();
   [rung, choice, ladder] = charted (kind, scene, left);
   model = kind.build (scene, rung);

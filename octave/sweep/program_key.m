@@ -1,14 +1,14 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{key} =} program_key (@var{studied})
 ## A hash of the sources that decide a run's numbers: those of octave/, but for scenes, pictures and, unless something
-## is @var{studied}, too, studies, and of generated/.
+## is @var{studied}, too, studies, of generated/, and of surfaces of one's own.
 ## @end deftypefn
 
 function key = program_key (studied = false)
   octave = fileparts (which ("driver"));
   others = {"scenes", "picture", "study"}(1:3-studied);
   folders = [strsplit(genpath (octave, others{:}), pathsep ()), ...
-             {fullfile(fileparts (octave), "generated")}];
+             fullfile(fileparts (octave), {"generated", fullfile("output", "surfaces")})];
   files = cellfun (@(folder) glob (fullfile (folder, "*.m")), folders, "uniformoutput", false);
   texts = cellfun (@fileread, sort (vertcat (files{:})), "uniformoutput", false);
   key = hash ("sha256", [texts{:}])(1:16);

@@ -26,7 +26,7 @@ function [linear, q] = about_rotation (scene, model, speed, q)
   for sweep = 1:20
     by_q = difference_quotients (@(x) accelerations (q + x, v + 0*x), steps);
     step = zeros (n, 1);
-    step(held) = -by_q(held,held) \ accelerations (q, v)(held);
+    step(held) = -by_q(held,held) \ accelerations (q, v)(held,1);
     q += step;
     if (abs (step)./system.state_scale(1:n) < 1e-12*model.length)
       break;

@@ -23,6 +23,7 @@ function scene = check_surface_scene (given)
                  isequal (scene.surface.side, 0)))
     scene_error ("surface.side is not 1, -1 or 0: the side of the normal, the other, or both");
   endif
+  surface_functions (scene.surface);  # its name and its parameters are known
   scene.solver.tolerance = tolerance_in_metres (scene.solver.tolerance, surface_kind ().pixel (scene));
   if (ischar (scene.model.modes) && any (scene.model.sines))
     scene_error ("model.sines are beside so many polynomials as model.modes says: give it, [4 4] say, not \"auto\"");
@@ -42,6 +43,10 @@ function scene = check_surface_scene (given)
     refuse_moving (scene, "rotation", 2:3);
   endif
   if (! isempty (scene.place))
+    for k = 1:2
+      refuse_wrong_rates (@(t) scene.place (t)(:,k), scene.duration, "place", ...
+                          {"coordinate", "rate", "second rate", "a coordinate"});
+    endfor
     refuse_moving (scene, "place", [2 3 5 6]);
   endif
 endfunction
@@ -82,6 +87,8 @@ endfunction
 %!error <surface.side is not 1, -1 or 0> check_surface_scene (setfield (smallest (), "surface", "side", 2))
 %!error <model.sines are beside so many polynomials as model.modes says>
 %! check_surface_scene (setfield (smallest (), "model", "sines", [2 2]))
+%!error <surface.name is "egg": it takes one of> check_surface_scene (setfield (smallest (), "surface", "name", "egg"))
+%!error <surface.radius is "x": it takes> check_surface_scene (setfield (smallest (), "surface", "radius", "x"))
 %!test # any side, and what it states of its own
 %! for side = [-1 0 1]
 %!   assert (check_surface_scene (setfield (smallest (), "surface", "side", side)).surface.side, side);
@@ -112,6 +119,8 @@ endfunction
 %!error <place jumps from 0 to 1 at t = 0.5, its number 1: no force can make a prescribed place>
 %! scene = on_level_plane ("place", @(t) [t>=0.5, 0; 0 0; 0 0]);
 %! check_surface_scene (scene);
+%!error <place gives rate = 0 at t = .*, where its coordinate rises by 1 a second: it takes a coordinate and its rates>
+%! check_surface_scene (on_level_plane ("place", @(t) [0 t; 0 0; 0 0]));
 %!error <the place has a rate or an acceleration at t = 0>
 %! check_surface_scene (on_level_plane ("place", @(t) [t 0; 1 0; 0 0], "initial", "equilibrium"));
 %!error <the rotation has a rate or an acceleration at t = 0>

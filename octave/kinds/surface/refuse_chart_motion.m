@@ -14,7 +14,6 @@ function refuse_chart_motion (scene)
 endfunction
 
 function refuse_unturned (scene)
-  surface_functions (scene.surface);  # it has a name
   if (! any (strcmp (scene.surface.name, {"plane", "sphere"})))
     scene_error (["rotation and the surface \"%s\" are both given: a hub turns the chart about its origin, which is" ...
                   " a rotation of a \"plane\" or a \"sphere\""], scene.surface.name);
@@ -24,7 +23,6 @@ function refuse_unturned (scene)
 endfunction
 
 function refuse_unmoved (scene)
-  surface_functions (scene.surface);
   if (! any (strcmp (scene.surface.name, {"plane", "cylinder"})))
     scene_error (["place and the surface \"%s\" are both given: it moves the chart along itself, which moves a rod as a" ...
                   " whole on a \"plane\" or a \"cylinder\""], scene.surface.name);

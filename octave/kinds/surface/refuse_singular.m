@@ -1,15 +1,15 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} refuse_singular (@var{surface}, @var{fields}, @var{when})
 ## An error where the rod lies on or across a point at which the surface's chart is singular, or has left the chart:
-## the determinant of the first fundamental form vanishes beside its largest on the rod, is no positive number, or the
-## normal turns round between two points.  @var{fields} as from @code{surface_rod}, p points of the rod by m times,
+## the determinant of the first fundamental form vanishes beside its largest on the rod, it or the normal is no number,
+## or the normal turns round between two points.  @var{fields} as from @code{surface_rod}, p points of the rod by m times,
 ## @var{when} a text.
 ## @end deftypefn
 
 function refuse_singular (surface, fields, when)
   [n_1, n_2, n_3, determinant] = surface.normal (fields);
   remedy = "; try another chart of the surface, or a rod that keeps away";
-  if (! (isreal (determinant) && all (isfinite (determinant(:))) && all (isfinite (n_1(:)))))
+  if (! (isreal (determinant) && all (isfinite ([determinant, n_1, n_2, n_3](:)))))
     error ("toolchain:integration", "the rod leaves the chart %s: the surface has no metric there%s\n", when, remedy);
   endif
   flips = n_1(1:end-1,:).*n_1(2:end,:) + n_2(1:end-1,:).*n_2(2:end,:) + n_3(1:end-1,:).*n_3(2:end,:) < 0;
@@ -26,6 +26,9 @@ endfunction
 %!error <the rod leaves the chart at t = 1: the surface has no metric there>
 %! cone = surface_functions (struct ("name", "cone", "half_angle", 1));
 %! refuse_singular (cone, struct ("alpha1", [1; NaN], "alpha2", [0; 0]), "at t = 1");
+%!error <the rod leaves the chart at the start: the surface has no metric there>  # a cylinder that is a line
+%! line = surface_functions (struct ("name", "cylinder", "radius", 0));
+%! refuse_singular (line, struct ("alpha1", [0; 1], "alpha2", [0; 0]), "at the start");
 %!function refuse (normals, determinant)
 %!  surface.normal = @(fields) deal (normals(:,1), normals(:,2), normals(:,3), determinant);
 %!  refuse_singular (surface, struct ("alpha1", [1; 2], "alpha2", [3; 4]), "at t = 7");

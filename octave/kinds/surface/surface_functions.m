@@ -6,7 +6,7 @@
 ## generated/surface_NAME_*.m but for the surface, with arrays of any size.
 ##
 ## Surfaces of one's own (`make derive SURFACE=file') are found in output/surfaces/.  Unknown names, missing and
-## unknown parameters and such that are not positive are errors.
+## unknown parameters and such that are negative are errors.
 ## @end deftypefn
 
 function surface = surface_functions (given)
@@ -55,12 +55,12 @@ function values = values_of (given, names, surface)
   values = {};  # of a surface without parameters
   for name = names
     if (! isfield (given, name{1}))
-      scene_error ("surface.%s is missing: it takes a positive number", name{1});
+      scene_error ("surface.%s is missing: it takes a nonnegative number", name{1});
     endif
     value = given.(name{1});
     got = value_error ("nonnegative number", value);
     if (! isempty (got))
-      scene_error ("surface.%s is %s: it takes a positive number", name{1}, got);
+      scene_error ("surface.%s is %s: it takes a nonnegative number", name{1}, got);
     endif
     values{1}.(name{1}) = value;
   endfor
@@ -75,7 +75,7 @@ endfunction
 %!error <surface.name is "egg": it takes one of bumps, cone, cylinder, plane, saddle, sphere, torus>
 %! surface_functions (struct ("name", "egg"))
 %!error <surface.radius is missing> surface_functions (struct ("name", "sphere"))
-%!error <surface.radius is -1: it takes a positive number> surface_functions (struct ("name", "sphere", "radius", -1))
+%!error <surface.radius is -1: it takes a nonnegative number> surface_functions (struct ("name", "sphere", "radius", -1))
 %!error <surface.height is not a parameter of the sphere: those are radius>
 %! surface_functions (struct ("name", "sphere", "radius", 1, "height", 2))
 %!error <surface is no struct with a name> surface_functions (3)
