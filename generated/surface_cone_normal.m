@@ -9,9 +9,9 @@
 ##
 ## Arguments:
 ## @table @asis
-## @item @var{place}.alpha1 (array, m or rad)
+## @item @var{place}.alpha1 (array, m)
 ## first coordinate of the chart
-## @item @var{place}.alpha2 (array, m or rad)
+## @item @var{place}.alpha2 (array, rad)
 ## second coordinate
 ## @item @var{surface}.half_angle (scalar, rad)
 ## angle of the ruling to the axis

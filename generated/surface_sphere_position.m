@@ -8,9 +8,9 @@
 ##
 ## Arguments:
 ## @table @asis
-## @item @var{place}.alpha1 (array, m or rad)
+## @item @var{place}.alpha1 (array, m)
 ## first coordinate of the chart
-## @item @var{place}.alpha2 (array, m or rad)
+## @item @var{place}.alpha2 (array, m)
 ## second coordinate
 ## @item @var{surface}.radius (scalar, m)
 ## radius

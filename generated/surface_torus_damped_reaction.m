@@ -9,9 +9,9 @@
 ##
 ## Arguments:
 ## @table @asis
-## @item @var{place}.alpha1 (array, m or rad)
+## @item @var{place}.alpha1 (array, rad)
 ## first coordinate of the chart
-## @item @var{place}.alpha2 (array, m or rad)
+## @item @var{place}.alpha2 (array, rad)
 ## second coordinate
 ## @item @var{place}.alpha1_1 (array, 1 or rad/m)
 ## its slope along the rod

@@ -9,7 +9,9 @@
 function [names, table] = surface_columns (scene, run)
   history = run.history;
   [energies, joules] = energy_columns (history);
-  names = [{"t [s]", "tip_x [m]", "tip_y [m]", "tip_z [m]"}, history.q_names, energies, ...
+  units = surface_functions (scene.surface).units(1 + strncmp (history.q_names, "alpha2", 6));
+  coefficients = cellfun (@(name, unit) sprintf ("%s [%s]", name, unit), history.q_names, units, "uniformoutput", false);
+  names = [{"t [s]", "tip_x [m]", "tip_y [m]", "tip_z [m]"}, coefficients, energies, ...
            {"angular_momentum_x [kg m^2/s]", "angular_momentum_y [kg m^2/s]", "angular_momentum_z [kg m^2/s]", ...
             "smallest_reaction [N/m]", "largest_reaction [N/m]", "mid_x [m]", "mid_y [m]", "mid_z [m]", ...
             "psi [rad]", "tip_psi [rad]", "reaction_x [N]", "reaction_y [N]", "reaction_z [N]"}];
@@ -25,7 +27,9 @@ endfunction
 %!                   "angular_momentum", [1; 2; 3], "reaction", [-1; 2], "mid", [3; 4; 5], "psi", 6, "tip_psi", 7, ...
 %!                   "support", [8; 9; 10], "torque", zeros (0, 1), "tip_reaction", zeros (0, 1));
 %! history.q_names = {"alpha1_0", "alpha2_0"};
-%! [names, table] = surface_columns ([], struct ("history", history));
+%! cone = struct ("surface", struct ("name", "cone", "half_angle", 1));
+%! [names, table] = surface_columns (cone, struct ("history", history));
+%! assert (names(5:6), {"alpha1_0 [m]", "alpha2_0 [rad]"});
 %! assert (table.', [0 1 2 3 4 5 6 7 8 9 0 1 2 3 -1 2 3:10]); assert (numel (names), 24);
-%! [names, table] = surface_columns ([], struct ("history", setfield (history, "torque", 4)));
+%! [names, table] = surface_columns (cone, struct ("history", setfield (history, "torque", 4)));
 %! assert (table(end), 4); assert (names{end}, "torque [N m]");

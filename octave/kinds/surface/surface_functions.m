@@ -3,7 +3,7 @@
 ## The derived functions of the surface @var{given}, a struct of its name and its parameters: a struct of position,
 ## tangent, normal, laid, mass, balance, damping, turning, rotary_balance, energies, strains, section, point_loads,
 ## spring, reaction, damped_reaction, angle, direction and support, which take the arguments of
-## generated/surface_NAME_*.m but for the surface, with arrays of any size.
+## generated/surface_NAME_*.m but for the surface, with arrays of any size; and units of the chart's two coordinates.
 ##
 ## Surfaces of one's own (`make derive SURFACE=file') are found in output/surfaces/.  Unknown names, missing and
 ## unknown parameters and such that are negative are errors.
@@ -22,7 +22,8 @@ function surface = surface_functions (given)
     scene_error ("surface.name is \"%s\": it takes one of %s, or what `make derive SURFACE=file' has derived", ...
                  given.name, names_of_surfaces (root, own));
   endif
-  parameters = values_of (rmfield (given, "name"), parameters_of (given.name), given.name);
+  [parameters, surface.units] = signature_of (given.name);
+  parameters = values_of (rmfield (given, "name"), parameters, given.name);
   for kind = {"position", "tangent", "normal", "laid", "mass", "balance", "damping", "turning", "rotary_balance", ...
               "energies", "strains", "section", "point_loads", "spring", "reaction", "damped_reaction", "angle", "direction", "support"}
     name = sprintf ("surface_%s_%s", given.name, kind{1});
@@ -40,11 +41,11 @@ function names = names_of_surfaces (root, own)
   names = strjoin (regexprep (files.', '.*surface_(\w+)_position\.m$', '$1'), ", ");
 endfunction
 
-## as the signature of the derived function has them
-function names = parameters_of (name)
+## as the derived function's description has them
+function [parameters, units] = signature_of (name)
   text = fileread (which (["surface_" name "_position"]));
-  names = cellfun (@(found) found{1}, regexp (text, '@item @var\{surface\}\.(\w+)', "tokens"), ...
-                   "uniformoutput", false);
+  parameters = [regexp(text, '@item @var\{surface\}\.(\w+)', "tokens"){:}];
+  units = [regexp(text, '@item @var\{place\}\.alpha\d \(array, ([^)]*)\)', "tokens"){:}];
 endfunction
 
 function values = values_of (given, names, surface)
@@ -72,6 +73,8 @@ endfunction
 %! assert ([x; y; z], [0 1; 0 0; -2 -2], 1e-15);
 %! [n_1, n_2, n_3, determinant] = surface.normal (struct ("alpha1", 0, "alpha2", 0));
 %! assert ([n_1 n_2 n_3 determinant], [0 0 1 1], 1e-15);
+%!test # the chart of a cone is of lengths and angles
+%! assert (surface_functions (struct ("name", "cone", "half_angle", 1)).units, {"m", "rad"});
 %!error <surface.name is "egg": it takes one of bumps, cone, cylinder, plane, saddle, sphere, torus>
 %! surface_functions (struct ("name", "egg"))
 %!error <surface.radius is missing> surface_functions (struct ("name", "sphere"))
