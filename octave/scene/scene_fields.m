@@ -1,8 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{fields} =} scene_fields ()
 ## All fields of a scene, a row each: name, default, kind (see @code{value_error}).  A default of NaN means that the
-## field must be given; the breaks are those of all loads, whose functions take one t (the moment's: many);
-## jumps that they leave out are found (see @code{load_breaks}).
+## field must be given; breaks, or in short moment_breaks, are those of all loads, whose functions take one t (the
+## moment's: many); jumps that they leave out are found (see @code{load_breaks}).
 ## @end deftypefn
 
 function fields = scene_fields ()
@@ -24,9 +24,10 @@ function fields = scene_fields ()
     "gravity",               9.81,           "number in m/s^2"
     "moment",                0,              "number or function of t in N m"
     "moment_breaks",         [],             "vector of times in s"
+    "breaks",                [],             "vector of times in s"
     "rotation",              [],             "function of t that returns [theta theta_dot theta_ddot]"
     "force",                 [],             "function of t that returns [F_x F_y] in N"
-    "force_station",         [],             "number in m"
+    "force_station",         [],             "nonnegative number in m"
     "tip_mass",              0,              "nonnegative number in kg"
     "joints",                {},             "struct array, or cell array of structs"
     "initial.from",          "",             "text"

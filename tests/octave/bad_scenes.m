@@ -56,8 +56,8 @@ endfunction
 %!                                    " its end.csv, output/paper say"]);
 
 %!test # vectors
-%! for field = {"moment_breaks", "times in s"; "initial.V1", "amplitudes in m"; "initial.V2", "amplitudes in m"; ...
-%!              "initial.V1_dot", "rates in m/s"; "initial.V2_dot", "rates in m/s"}.'
+%! for field = {"moment_breaks", "times in s"; "breaks", "times in s"; "initial.V1", "amplitudes in m"
+%!              "initial.V2", "amplitudes in m"; "initial.V1_dot", "rates in m/s"; "initial.V2_dot", "rates in m/s"}.'
 %!   check (field{1}, [1 NaN], sprintf ("is 1   NaN: it takes vector of %s", field{2}));
 %!   check (field{1}, eye (2), sprintf ("is a 2-by-2 double: it takes vector of %s", field{2}));
 %! endfor

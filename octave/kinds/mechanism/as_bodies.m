@@ -36,14 +36,12 @@ function [scene, names] = as_bodies (given)
   names.joints = [cellfun(@(joint) joint.name, scene.joints, "uniformoutput", false), ...
                   arrayfun(@(k) sprintf ("joints(%d)", k), 1:numel (own_joints), "uniformoutput", false)];
   scene.joints = [scene.joints, own_joints];
-  if (isfield (given, "moment_breaks"))
-    scene.breaks = short.moment_breaks;
-  endif
+  scene.breaks = [short.breaks(:); short.moment_breaks(:)];
 endfunction
 
 ## what a scene of one rod says of its loads and joints, checked, and the defaults
 function short = short_fields (given)
-  names = {"rotation", "moment", "moment_breaks", "force", "force_station", "joints"};
+  names = {"rotation", "moment", "moment_breaks", "breaks", "force", "force_station", "joints"};
   fields = scene_fields ();
   given = rmfield (given, setdiff (fieldnames (given), names));
   short = take_fields (given, fields(ismember (fields(:,1), names),:), "a scene");

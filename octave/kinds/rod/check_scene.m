@@ -15,7 +15,7 @@ function scene = check_scene (given)
   check_section (scene.rod);
   scene.joints = check_joints (on_one_body (scene.joints), scene);
   loads = [loads_of(scene), joint_loads(scene.joints)];
-  [scene.moment_breaks, scene.probed] = load_breaks (loads, scene.moment_breaks, scene);
+  scene = with_breaks (scene, loads);
   scene.joints = with_values (scene.joints, scene);
   if (isnumeric (scene.moment))
     moment = scene.moment;
@@ -92,7 +92,7 @@ endfunction
 %!error <joints and model.axial = "quasistatic" are both given>
 %! spring = struct ("kind", "torsion_spring", "stations", 0);
 %! check_scene (setfield (setfield (smallest (), "model", "axial", "quasistatic"), "joints", spring));
-%!error <joints\(1\).value gives NaN at t = 0: it takes 1 numbers>
+%!error <joints\(1\).value gives NaN at t = 0: it takes 1 number>
 %! check_scene (setfield (smallest (), "joints", struct ("kind", "moment", "stations", 1, "value", @(t) NaN)));
 %!test # a force at the tip, a hub that turns, and a constant moment are scenes
 %! assert (check_scene (setfield (smallest (), "force_station", 1)).force_station, 1);

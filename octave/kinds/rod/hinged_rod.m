@@ -50,7 +50,7 @@ function system = hinged_rod (scene, model)
   system.force = scene.force;
   system.joined = constants.joined;
   system.longest_step = longest_step (model);
-  system.breaks = scene.moment_breaks;
+  system.breaks = scene.breaks;
   system.energy_rows = numel (system.initial_state) + [-1, 0];
   system.state_scale = state_scale (model, scene, [ones(n, 1); 1/model.length]);
 endfunction

@@ -45,7 +45,7 @@ endfunction
 
 ## 400 equal steps from break to break, and the same times just inside of the breaks
 function [times, inside] = fine_times (scene)
-  [~, ends] = meet_breaks ([0, scene.duration], scene.moment_breaks);
+  [~, ends] = meet_breaks ([0, scene.duration], scene.breaks);
   times = inside = [];
   for k = 1:numel (ends) - 1
     times = [times, linspace(ends(k), ends(k+1), 401)];

@@ -19,7 +19,7 @@ function constants = rod_constants (scene, model)
   constants.moment = watched_load ("moment", scene.moment);
   constants.force = watched_columns ("force", scene.force);
   constants.pulls_followers = ! isempty (scene.force) && ! isempty (model.followers);
-  [~, constants.ends] = meet_breaks ([0, scene.duration], scene.moment_breaks);
+  [~, constants.ends] = meet_breaks ([0, scene.duration], scene.breaks);
   constants.point = model.force;
   constants.point.station = scene.force_station;
   constants.joined = joined_rod (model, scene.joints);
@@ -41,7 +41,7 @@ endfunction
 %!   "foreshortening");
 %! model = build_model (scene, rung);
 %! constants = rod_constants (scene, model);
-%! assert (constants.ends, [0, scene.moment_breaks, scene.duration]); assert (constants.gravity, scene.gravity);
+%! assert (constants.ends, [0, scene.breaks, scene.duration]); assert (constants.gravity, scene.gravity);
 %! assert (constants.rod.damping, scene.rod.damping); assert (constants.rod.damping > 0);
 %! assert (constants.pulls_followers); assert (constants.force (1), [3; 5]);
 %! assert (constants.moment (0.1), scene.moment (0.1)); assert (constants.point.station, 0.25);

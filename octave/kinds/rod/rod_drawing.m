@@ -15,7 +15,7 @@ function drawing = rod_drawing (scene, model, history)
   if (! isempty (history.torque))
     drawing.moment = history.torque;
   endif
-  drawing.moment_breaks = scene.moment_breaks;
+  drawing.moment_breaks = scene.breaks;
   drawn = @(stations) enlarged (model, stations, history, scene.zoom, ! isempty (scene.rotation));
   [body.x, body.y, body.rest_x, body.rest_y] = drawn (stations);
   body.half_height = scene.rod.half_height;
@@ -80,7 +80,7 @@ endfunction
 %! assert (drawing.hinges.shape, {"pin"}); assert (drawing.equations, {"hinged", "straight"});
 %! assert (drawing.bodies.half_height, scene.rod.half_height); assert (drawing.moment, scene.moment (history.t));
 %! assert ({drawing.title, drawing.time, drawing.zoom}, {scene.title, history.t, scene.zoom});
-%! assert ({drawing.gravity, drawing.moment_breaks}, {scene.gravity, scene.moment_breaks});
+%! assert ({drawing.gravity, drawing.moment_breaks}, {scene.gravity, scene.breaks});
 %! scene.rotation = @(t) [0 0 0];
 %! scene.rod.curvature = 1;
 %! scene.rod.half_height = [];

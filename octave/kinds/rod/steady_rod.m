@@ -11,7 +11,7 @@ function turning = steady_rod (kind, scene)
   if (! isempty (scene.rotation))
     turning.speed = fastest_rotation (scene.rotation, scene.duration);
   endif
-  [scene.gravity, scene.moment, scene.moment_breaks, scene.force, scene.joints] = deal (0, @(t) 0*t, [], [], []);
+  [scene.gravity, scene.moment, scene.breaks, scene.force, scene.joints] = deal (0, @(t) 0*t, [], [], []);
   for name = {"phi_dot", "V1", "V2", "V1_dot", "V2_dot"}
     scene.initial.(name{1}) = 0;
   endfor

@@ -24,9 +24,9 @@ endfunction
 ## changes of the moment faster than the highest bending mode's period: where a quarter of it sees less than the change
 function warnings = spectrum_warning (scene, model)
   warnings = {};
-  breaks = unique ([0, scene.moment_breaks(:).']);
+  breaks = unique ([0, scene.breaks(:).']);
   a = model.arrays;
-  if (isempty (scene.moment_breaks) || rows (a.mass_matrix) == 0 || isempty (model.rung.sines))
+  if (isempty (scene.breaks) || rows (a.mass_matrix) == 0 || isempty (model.rung.sines))
     return;
   endif
   highest = sqrt (max (diag (a.stiffness_matrix)./diag (a.mass_matrix)));
@@ -50,7 +50,7 @@ endfunction
 %! assert (! isempty (regexp (warnings{3}, "phi_dot reaches 400 rad/s, .* 51\\d rad/s: .*foreshortening")));
 %!test # a load that ends soon after its begin
 %! [scene, model] = sample_rod ([0 1]);
-%! said = @(breaks) validity_warnings (setfield (scene, "moment_breaks", breaks), model, struct ("V", 0, "phi_dot", 0));
+%! said = @(breaks) validity_warnings (setfield (scene, "breaks", breaks), model, struct ("V", 0, "phi_dot", 0));
 %! assert (said (1), {}); assert (strncmp (said (1e-4), "a load changes within 0.0001 s, its spectrum reaches", 50));
 %!test # a drawn slope of 3 is where it begins: pi*zoom/10
 %! assert (cellfun (@(zoom) numel (of_paper (zoom, 0.1, 1)), {9.54, 9.56}), [1 2]);

@@ -37,7 +37,7 @@ function scene = check_surface_scene (given)
   });
   refuse_chart_motion (scene);
   [scene.joints, of_joints] = joints_on_surface (scene);
-  [scene.moment_breaks, scene.probed] = load_breaks ([loads, of_joints], scene.moment_breaks, scene);
+  scene = with_breaks (scene, [loads, of_joints]);
   if (! isempty (scene.rotation))
     refuse_wrong_rates (scene.rotation, scene.duration);
     refuse_moving (scene, "rotation", 2:3);

@@ -9,7 +9,7 @@ function drawing = surface_drawing (system, scene, history)
   frames = numel (history.t);
   drawing = struct ("title", scene.title, "time", history.t, "frames_per_second", scene.frames_per_second, ...
                     "frame_size", scene.frame_size, "zoom", 1, "gravity", scene.gravity, ...
-                    "moment", zeros (1, frames), "moment_breaks", scene.moment_breaks);
+                    "moment", zeros (1, frames), "moment_breaks", scene.breaks);
   ## A little towards the rod's side of the surface, which would hide it.
   lift = scene.rod.half_height*scene.surface.side;
   if (scene.surface.side == 0)

@@ -47,7 +47,7 @@ function system = surface_rod (scene)
   system.refuse_singular (zeros (system.n, 1), "at the start");
   refuse_no_direction (system, zeros (system.n, 1));
   system = started_on_surface (system, scene);
-  system.breaks = scene.moment_breaks;
+  system.breaks = scene.breaks;
   system.forms = {"rate", "residual"};
   system.auto = "radau";
   system.warnings = {};

@@ -35,7 +35,7 @@ function fields = surface_scene_fields ()
      "force",               [0 0 0],            "three numbers or function of t in N"}
     of("force_station", "rotation")
     {"place",               [],                 "function of t that returns [x y; x_dot y_dot; x_ddot y_ddot]"}
-    of("joints", "moment_breaks", "initial.from")
+    of("joints", "moment_breaks", "breaks", "initial.from")
     {"initial.point",       [0 0],              "vector of two coordinates of the chart"
      "initial.angle",       0,                  "number in rad"
      "initial.shape",       [],                 "function of xi that returns the chart's coordinates, 2-by-m"
