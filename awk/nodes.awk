@@ -1,7 +1,7 @@
 # The tree. Each node is made whole, with its shape:
 #
-#   node_operator[id]       number, name, negative, not, call, function (@(k) child), index, list, if, transpose or
-#                           an infix operator
+#   node_operator[id]       number, name, negative, not, call, function (@(k) child), index, list, matrix,
+#                           arguments, if, transpose or an infix operator
 #   node_text[id]           digits, Octave name or text
 #   child[id, k], child_count[id]
 #   node_shape[id]          see shapes.awk

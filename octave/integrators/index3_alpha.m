@@ -31,9 +31,7 @@ function [z, converged] = step (t, z, c, h, system)
   [next, sigma] = deal (v_dot, before.springs.tension);
   [last, factor] = deal (Inf, h^2*c.beta*c.part);
   for sweep = 1:30
-    new_a = ((1 - c.f)*next + c.f*v_dot - c.m*a)/(1 - c.m);
-    new_q = q + h*v + h^2*((1/2 - c.beta)*a + c.beta*new_a);
-    new_v = v + h*((1 - c.gamma)*a + c.gamma*new_a);
+    [new_q, new_v] = alpha_update (c, h, q, v, a, v_dot, next);
     at = system.at (t + h, new_q, new_v);
     if (sweep == 1)
       [mass, jacobian, spring_jacobian] = system.matrices (at);
@@ -55,11 +53,9 @@ function [z, converged] = step (t, z, c, h, system)
     endif
     last = change;
   endfor
-  new_a = ((1 - c.f)*next + c.f*v_dot - c.m*a)/(1 - c.m);
-  q += h*v + h^2*((1/2 - c.beta)*a + c.beta*new_a);
-  v += h*((1 - c.gamma)*a + c.gamma*new_a);
+  [q, v, a] = alpha_update (c, h, q, v, a, v_dot, next);
   work = h/2*(start + power (at, lambda));
-  z = [q; v; W + work(1); D + work(2); new_a; next; lambda];
+  z = [q; v; W + work(1); D + work(2); a; next; lambda];
 endfunction
 
 %!test # positions meet their constraints at any step

@@ -5,7 +5,7 @@
 ##
 ## @table @code
 ## @item name
-## "rod", "curved rod", "mechanism", "surface", "exact" or "exact arc"
+## "rod", "curved rod", "mechanism", "surface", "exact" or "exact body"
 ## @item has (given)
 ## whether a scene is of this kind
 ## @item check (given)

@@ -20,7 +20,8 @@ function system = started_system (kind, scene, model)
   off = metres_off (kind, scene, model, system, before.points);
   if (off > 1e-6*norm (max (before.points) - min (before.points)))
     scene_error (["initial.from is \"%s\": points begin up to %.2g m away from where they ended in that run, of %s:" ...
-                  " the rod, its modes or its stiffening are others; \"auto\" takes its modes"], before.folder, off, ...
+                  " the rod, its modes, its stiffening, or what is prescribed at t = 0, are others; \"auto\" takes" ...
+                  " its modes"], before.folder, off, ...
                  before.model);
   endif
 endfunction
@@ -82,7 +83,7 @@ endfunction
 %! first = check_chosen (scene, folder);
 %! fail ("driver (first, 'modes', [0, driver(first, 'output', '').rung.bending], 'output', '')", ...
 %!       "points begin up to 0.00.* m away from where they ended in that run, of rod: .* bending modes");
-%! fail ("driver (setfield (first, 'rod', 'length', 0.41), 'output', '')", "the rod, its modes or .* are others");
+%! fail ("driver (setfield (first, 'rod', 'length', 0.41), 'output', '')", "the rod, its modes, .* are others");
 %! evalc ("ended = driver (rmfield (first, 'initial'), 'output', '', 'exact', false);");
 %! over = driver (setfield (first, "moment", 0), "output", "");  # whose own modes would be others
 %! assert ([over.x(:,1), over.y(:,1)], [ended.x(:,end), ended.y(:,end)], 1e-9);

@@ -7,10 +7,9 @@
 function write_response (found, folder)
   [names, amplitude] = response_curves (found);
   phase = reshape (arg (found.response), [], numel (found.f));
-  head = ["f [Hz]", sprintf(",\"%s\",\"phase [rad]\"", strrep (names, "\"", "\"\""){:}), "\n"];
+  heads = [names(:).'; repmat({"phase [rad]"}, 1, rows (phase))];
   table = [found.f; reshape([amplitude; phase](reshape (1:2*rows (phase), [], 2).',:), [], numel (found.f))];
-  write_text (fullfile (folder, "response.csv"), ...
-              [head, sprintf(["%.17g" repmat(",%.17g", 1, rows (table) - 1) "\n"], table)]);
+  write_csv (fullfile (folder, "response.csv"), [{"f [Hz]"}, heads(:).'], table.');
 endfunction
 
 %!test
@@ -19,5 +18,5 @@ endfunction
 %!                 "outputs", {{"tip_x [m]", "tip_y [m]"}});
 %! write_response (found, folder);
 %! assert (strsplit (fileread (fullfile (folder, "response.csv")), "\n"){1}, ...
-%!         'f [Hz],"tip_x [m] by ""a"" [N]","phase [rad]","tip_y [m] by ""a"" [N]","phase [rad]"');
+%!         'f [Hz],"tip_x [m] by ""a"" [N]",phase [rad],"tip_y [m] by ""a"" [N]",phase [rad]');
 %! assert (csvread (fullfile (folder, "response.csv"), 1, 0), [1 1 0 2 pi/2; 2 3 0 4 pi], 1e-12);

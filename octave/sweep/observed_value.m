@@ -6,7 +6,7 @@
 ## @end deftypefn
 
 function value = observed_value (item, names, table, tables)
-  if (any (strcmp (item.part, {"summary", "modes", "statics", "truth"})))
+  if (isfield (tables, item.part))
     value = of_fields (item, tables.(item.part));
     return;
   endif

@@ -27,10 +27,9 @@ function observed = read_observe (text)
   items = strtrim (ostrsplit ([text " "], ","));
   observed = cellfun (@read_item, items, "uniformoutput", false);
   observed = [observed{:}];
-  [~, first] = unique ({observed.text}, "first");
-  twice = setdiff (1:numel (items), first);
-  if (! isempty (twice))
-    scene_error ("OBSERVE: %s stands there twice", items{twice(1)});
+  again = first_repeated ({observed.text});
+  if (! isempty (again))
+    scene_error ("OBSERVE: %s stands there twice", items{again});
   endif
 endfunction
 

@@ -6,19 +6,22 @@
 ## @end deftypefn
 
 function forces = joint_forces (mechanism, at, lambda)
-  forces = struct ("reaction_x", {}, "reaction_y", {}, "torque", {});
-  for j = 1:rows (mechanism.marker_of)
-    first = mechanism.marker_of(j,1);
-    tie = reactions (mechanism, mechanism.constraints, at.constraints, of_joint (mechanism.constraints, j, lambda));
-    pull = reactions (mechanism, mechanism.springs, at.springs, of_joint (mechanism.springs, j, at.springs.tension));
-    both = @(part) -tie.(part)(first,:) - pull.(part)(first,:);
-    forces(j) = struct ("reaction_x", both ("x"), "reaction_y", both ("y"), "torque", both ("angle"));
-  endfor
+  of.x = of.y = of.angle = zeros (rows (mechanism.marker_of), columns (lambda));
+  of = without_pull (of, mechanism.constraints, at.constraints, lambda);
+  of = without_pull (of, mechanism.springs, at.springs, at.springs.tension);
+  forces = struct ("reaction_x", num2cell (of.x, 2), "reaction_y", num2cell (of.y, 2), ...
+                   "torque", num2cell (of.angle, 2)).';
 endfunction
 
-function own = of_joint (constraints, j, all)
-  own = 0*all;
-  own(constraints.joint == j,:) = all(constraints.joint == j,:);
+## each form of constraint has its joints once, and their first bodies' coordinates first
+function of = without_pull (of, constraints, c, lambda)
+  for i = 1:numel (c.gradients)
+    kind = constraints.kinds(i);
+    for coordinate = kind.coordinates(kind.coordinates <= 3)
+      part = {"x", "y", "angle"}{coordinate};
+      of.(part)(kind.joints,:) -= c.gradients{i}{coordinate}.*lambda(kind.rows,:);
+    endfor
+  endfor
 endfunction
 
 %!test # of revolute joints the multipliers themselves, of a spring its tension along it, of a load nothing

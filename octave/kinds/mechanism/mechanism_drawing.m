@@ -32,7 +32,7 @@ function drawing = mechanism_drawing (scene, mechanism, history)
   place = @(k, station) drawn{k}(station);
   drawing.springs = springs_of_joints (scene.joints, place, frames);
   [drawing.forces, drawing.moments] = loads_of_joints (scene.joints, place, history.t);
-  drawing.strips = mechanism_panels (scene, mechanism, history, {"angles", "tips", "reactions"});
+  drawing.strips = mechanism_panels (scene, history, {"angles", "tips", "reactions"});
   curved = arrayfun (@(body) ! isempty (body.rod.curvature), scene.bodies);
   drawing.equations = {"mechanism"};
   if (! all (curved))

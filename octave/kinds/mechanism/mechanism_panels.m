@@ -1,14 +1,14 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{panels} =} mechanism_panels (@var{scene}, @var{mechanism}, @var{history}, @var{names})
+## @deftypefn {} {@var{panels} =} mechanism_panels (@var{scene}, @var{history}, @var{names})
 ## Panels (see @code{new_panel}) of a mechanism's history, those with the @var{names}: "angles", "tips",
 ## "reactions" (sizes of the joints' forces), "energies" (with their balance); all by default.  Of more than six curves
 ## there are the first and the last three, and their label says of how many.
 ## @end deftypefn
 
-function panels = mechanism_panels (scene, mechanism, history, names = {"angles", "tips", "reactions", "energies"})
+function panels = mechanism_panels (scene, history, names = {"angles", "tips", "reactions", "energies"})
   bodies = history.bodies;
   [shown, of_bodies, some] = few ({scene.bodies.name});
-  [forces, joints] = reaction_sizes (scene, mechanism, history);
+  [forces, joints] = reaction_sizes (scene.joints, history);
   [shown_joints, of_joints, some_joints] = few (joints);
   all = {
     "angles",    @() new_panel (["angles" some], "°", of_bodies, rad2deg (vertcat (bodies(shown).phi)))
@@ -34,27 +34,26 @@ function [shown, names, some] = few (names)
   names = names(shown);
 endfunction
 
-function [forces, names] = reaction_sizes (scene, mechanism, history)
-  forces = zeros (0, numel (history.t));
-  names = {};
-  for j = 1:numel (scene.joints)
-    of_joint = find (mechanism.constraints.joint == j);
-    if (any (strcmp (scene.joints(j).kind, {"revolute", "weld", "position", "slider"})))
-      of_joint = of_joint(1:min (2, end));
-      forces(end+1,:) = sqrt (sum (history.lambda(of_joint,:).^2, 1));
-      names{end+1} = scene.joints(j).name;
-    endif
+## of joints that hold a point
+function [forces, names] = reaction_sizes (joints, history)
+  holds = @(joint) any (strcmp (joint_kind (joint.kind).sees, "point"));
+  shown = find (! is_load (joints) & arrayfun (holds, joints(:).'));
+  forces = zeros (numel (shown), numel (history.t));
+  for k = 1:numel (shown)
+    of_joint = history.joints(shown(k));
+    forces(k,:) = hypot (of_joint.reaction_x, of_joint.reaction_y);
   endfor
+  names = {joints(shown).name};
 endfunction
 
 %!test
 %! [system, start, scene] = sample_mechanism ([0 1]);
 %! history = measure_mechanism (system, 0, start);
-%! panels = mechanism_panels (scene, system.mechanism, history, {"angles", "reactions"});
-%! assert (size (panels(1).values), [3 1]); assert (panels(2).names, {"joint 1", "joint 2", "joint 3"});
+%! panels = mechanism_panels (scene, history, {"angles", "reactions"});
+%! assert (size (panels(1).values), [3 1]); assert (panels(2).names, {"joint 1", "joint 2", "joint 3", "joint 5"});
 %! assert ({panels.label}, {"angles", "reactions"});
 %!test # of many bodies some, which is said
 %! run = driver (setfield (chain (8), "duration", 0.02), "output", "");
-%! panels = mechanism_panels (run.scene, run.model, run.history);
+%! panels = mechanism_panels (run.scene, run.history);
 %! assert ({panels(1:3).label}, {"angles (6 of 8)", "tips, height (6 of 8)", "reactions (6 of 8)"});
 %! assert (rows (panels(1).values), 6);

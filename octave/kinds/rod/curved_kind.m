@@ -7,7 +7,7 @@
 function kind = curved_kind ()
   kind = rod_kind ();
   kind.name = "curved rod";
-  kind.has = @(given) one_rod (given) && is_curved (given);
+  kind.has = @(given) is_curved (given) && one_rod (given);
   kind.stated = @stated_rung;
   kind.ladder = @curved_ladder;
   kind.far_richer = @(scene, model) curved_rung ([27*! strcmp(scene.model.axial, "none"), 40]);

@@ -19,6 +19,7 @@
 function system = hinged_rod (scene, model)
   n = columns (model.basis);
   constants = rod_constants (scene, model);
+  system = common_of_rod (scene, model, constants);
   a = model.arrays;
   system.mass = mass_with_rotation (a);
   [system.stiffness, damping] = linear_rod (scene.initial.phi, constants);
@@ -30,12 +31,9 @@ function system = hinged_rod (scene, model)
   system.initial_state = initial_state (scene.initial, model, constants);
   system.rate = @(t, y) hinged_rod_rate (t, y, n, constants);
   system.motion = @(times, states) motion (times, states, n, constants);
-  system.energies = @(phi, phi_dot, q, q_dot) rod_energies_of (phi, phi_dot, q, q_dot, constants);
   system.forces = @(t, q, v) forces (t, q, v, n, constants);
   system.momenta = momenta_of_rod (n, constants, system.mass, system.stiffness);
   system.accelerations = accelerations_of_rod (n, constants);
-  system.steepest = @(y) largest_slopes (model, model.basis*y(1:n));
-  system.turned = isempty (model.rung.sines);
   system.forms = {"rate", "oscillators"};
   if (constants.pulls_followers)  # the other forms are made of the state without the time
     system.refusal = ["with longitudinal modes without inertia a force changes the momentum of phi at once; take" ...
@@ -43,14 +41,6 @@ function system = hinged_rod (scene, model)
   else
     system.forms = [system.forms, {"momenta", "accelerations"}];
   endif
-  system.auto = "waveform";
-  system.warnings = {};
-  system.duration = scene.duration;
-  system.gravity = scene.gravity;
-  system.force = scene.force;
-  system.joined = constants.joined;
-  system.longest_step = longest_step (model);
-  system.breaks = scene.breaks;
   system.energy_rows = numel (system.initial_state) + [-1, 0];
   system.state_scale = state_scale (model, scene, [ones(n, 1); 1/model.length]);
 endfunction

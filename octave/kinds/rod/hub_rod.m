@@ -7,11 +7,8 @@
 function system = hub_rod (scene, model)
   n = columns (model.basis);
   constants = rod_constants (scene, model);
-  constants.rotation = watched_columns ("rotation", scene.rotation);
+  system = common_of_rod (scene, model, constants);
   a = model.arrays;
-  constants.rod.slope_1 = a.slope_1;
-  constants.rod.slope_2 = a.slope_2;
-
   P = [eye(n); -a.slope_2.'];
   system.mass = P.'*mass_with_rotation (a)*P;
   [stiffness, damping] = linear_rod (scene.rotation (0)(1), constants);
@@ -27,21 +24,10 @@ function system = hub_rod (scene, model)
   system.initial_state = [start(1:n,1); start(1:n,2); 0; 0];
   system.rate = @(t, y) hub_rod_rate (t, y, n, constants);
   system.motion = @(times, states) motion (times, states, n, constants);
-  system.energies = @(phi, phi_dot, q, q_dot) rod_energies_of (phi, phi_dot, q, q_dot, constants);
   system.forces = @(t, q, v) forces (t, q, v, constants);
   system.accelerations = struct ("rate", system.rate, "state", @(z) z, "form", @(y) y);
-  system.steepest = @(y) largest_slopes (model, model.basis*y(1:n));
-  system.turned = isempty (model.rung.sines);
   system.forms = {"rate", "oscillators", "accelerations"};
   system.refusal = "it takes no prescribed rotation; take generalized_alpha or waveform";
-  system.auto = "waveform";
-  system.warnings = {};
-  system.duration = scene.duration;
-  system.gravity = scene.gravity;
-  system.force = scene.force;
-  system.joined = constants.joined;
-  system.longest_step = longest_step (model);
-  system.breaks = scene.breaks;
   system.energy_rows = numel (system.initial_state) + [-1, 0];
   system.state_scale = state_scale (model, scene, ones (n, 1));
 endfunction

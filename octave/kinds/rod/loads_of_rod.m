@@ -6,17 +6,13 @@
 ## @end deftypefn
 
 function loads = loads_of_rod (t, motion, c)
-  loads.moment = c.moment (t);
   if (isempty (c.force))
+    loads.moment = c.moment (t);
     loads.work_V = 0*motion.V;
     loads.work_phi = loads.inertia = loads.inertia_phi = loads.inertia_t = 0*motion.phi;
     return;
   endif
-  F = force_at (t, c);
-  loads.force_x = F(1,:);
-  loads.force_y = F(2,:);
-  loads.force_x_dot = F(3,:);
-  loads.force_y_dot = F(4,:);
+  loads = setfield (force_at (t, c), "moment", c.moment (t));
   [loads.work_V, loads.work_phi, loads.inertia, loads.inertia_phi, loads.inertia_t] = rod_point_force (
     motion, c.gravity, loads, c.point);
 endfunction

@@ -13,12 +13,7 @@
 function [reaction_x, reaction_y] = reaction_at_O (t, motion, q_ddot, phi_ddot, c)
   motion = struct ("V", motion.q, "V_dot", motion.q_dot, "V_ddot", q_ddot, "phi", motion.phi, ...
                    "phi_dot", motion.phi_dot, "phi_ddot", phi_ddot);
-  F = zeros (4, numel (t));
-  if (! isempty (c.force))
-    F = force_at (t, c);
-  endif
-  loads = struct ("force_x", F(1,:), "force_y", F(2,:), "force_x_dot", F(3,:), "force_y_dot", F(4,:));
-  [reaction_x, reaction_y] = rod_reaction (motion, c.rod, c.point, c.gravity, loads);
+  [reaction_x, reaction_y] = rod_reaction (motion, c.rod, c.point, c.gravity, force_at (t, c));
   if (! isempty (c.joined))
     pull = pull_of_joints (t, motion, c.joined);
     reaction_x -= pull.x;

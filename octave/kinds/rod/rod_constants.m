@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{constants} =} rod_constants (@var{scene}, @var{model})
-## What the rates and forces of a rod need besides its state: a struct of the loads moment (t) and force (t),
+## What the rates and forces of a rod need besides its state: a struct of the loads moment (t) and force (t), of the
+## hub's rotation (t) ([] without one),
 ## pulls_followers (whether longitudinal modes without inertia follow the force; see @code{force_at}), ends (s, of
 ## the intervals in which no load jumps) and what the generated functions take: rod (the @var{model}'s arrays,
 ## inverse_mass_matrix, damping and the slopes where the moment works), gravity, point (of the force) and joined (of
@@ -12,7 +13,8 @@ function constants = rod_constants (scene, model)
   constants.rod = a;
   constants.rod.inverse_mass_matrix = inv (a.mass_matrix);
   constants.rod.damping = scene.rod.damping;
-  if (strcmp (scene.model.moment_work, "chord"))
+  constants.rotation = watched_columns ("rotation", scene.rotation);
+  if (isempty (scene.rotation) && strcmp (scene.model.moment_work, "chord"))  # a hub holds the tangent
     constants.rod.slope_1 = constants.rod.slope_2 = zeros (size (a.slope_1));
   endif
   constants.gravity = scene.gravity;

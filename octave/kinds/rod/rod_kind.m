@@ -5,7 +5,7 @@
 
 function kind = rod_kind ()
   kind.name = "rod";
-  kind.has = @(given) one_rod (given) && ! is_curved (given);
+  kind.has = @(given) ! is_curved (given) && one_rod (given);
   kind.check = @check_scene;
   kind.pixel = @(scene) plane_pixel (scene, scene.rod.length);
   kind.models = @(scene) scene.model;

@@ -18,9 +18,6 @@ function system = with_dropped (scene, model)
     bare = system.rate;
     system.rate = @(t, y) hinged (t, y, n, bare (t, y), constants);
   else
-    constants.rotation = watched_columns ("rotation", scene.rotation);
-    constants.rod.slope_1 = model.arrays.slope_1;
-    constants.rod.slope_2 = model.arrays.slope_2;
     motion = system.motion;
     system.rate = @(t, y) in_hub (t, y, n, constants);
     system.motion = @(times, states) without_angle (motion (times, states), constants);
