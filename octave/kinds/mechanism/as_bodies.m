@@ -43,6 +43,7 @@ endfunction
 function short = short_fields (given)
   names = {"rotation", "moment", "moment_breaks", "breaks", "force", "force_station", "joints"};
   fields = scene_fields ();
+  fields{strcmp (fields(:,1), "force"),3} = "vector or function of t in N";  # as of any joint
   given = rmfield (given, setdiff (fieldnames (given), names));
   short = take_fields (given, fields(ismember (fields(:,1), names),:), "a scene");
 endfunction
@@ -133,6 +134,8 @@ endfunction
 %! refused (setfield (scene, "rods", 3), "rods is not a field of");
 %! refused (setfield (scene, "model", "moment_work", "chord"), "model.moment_work is \"chord\": ");
 %! refused (setfield (scene, "model", "axial", "quasistatic"), "model.axial is \"quasistatic\": ");
+%! refused (setfield (scene, "force", "much"), "force is \"much\": it takes vector or function of t in N");
+%! assert (check_mechanism (setfield (scene, "force", [0 1])).joints(3).value (2), [0 1]);
 %! [scene.force, scene.force_station] = deal (@(t) [0 1], 2);
 %! refused (scene, "force_station is 2: it takes a place on the rod, from 0 to 1 m");
 %! stated = setfield (setfield (hinged (), "joints", {slider}), "model", "moment_work", "tangent");
