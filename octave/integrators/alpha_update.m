@@ -9,8 +9,8 @@
 function [x, v, a] = alpha_update (c, h, x, v, a, v_dot, next)
   before = a;
   a = ((1 - c.f)*next + c.f*v_dot - c.m*before)/(1 - c.m);
-  x += h*v + h^2*((1/2 - c.beta)*before + c.beta*a);
-  v += h*((1 - c.gamma)*before + c.gamma*a);
+  x = x + h*v + h^2*((1/2 - c.beta)*before + c.beta*a);
+  v = v + h*((1 - c.gamma)*before + c.gamma*a);
 endfunction
 
 %!test # an even acceleration is met, whatever it damps

@@ -8,11 +8,13 @@ function [system, scene] = free_rod (modes, initial)
   scene = load_scene ("paper");
   scene.gravity = 0;
   scene.moment = 0;
-  scene.breaks = [];
+  scene.moment_breaks = [];
   scene.initial = initial;
   scene.model.modes = modes;
   scene = check_scene (scene);
   system = rod_system (scene, build_model (scene, rung_of_scene (scene)));
 endfunction
 
-%!assert (free_rod ([0 1], struct ("phi", 1)).initial_state(2), 1)
+%!test # no load, no breaks
+%! system = free_rod ([0 1], struct ("phi", 1));
+%! assert (system.initial_state(2), 1); assert (isempty (system.breaks));

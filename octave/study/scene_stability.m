@@ -28,7 +28,7 @@ function table = scene_stability (scene = "paper", varargin)
   say ("  highest frequency about the start: %.6g rad/s", mode.omega);
   found = [told(load_limits (given, varargin, left)), told(model_limits (kind, scene, model, choice.trial, left))];
   if (ismember ("constrained", whole.forms) && whole.constraint_count > 0)
-    found = [found, told(constraint_limits (whole, scene.solver, min (scene.duration, 300/mode.omega)))];
+    found = [found, told(constraint_limits (whole, scene.solver, min (scene.duration, 100/mode.omega)))];
   endif
   curves = {};
   exact = true_amplitudes (system, mode);
