@@ -3,11 +3,12 @@
 ##   @dots{})
 ## The equations of a scene of any kind linear about the equilibrium that it comes to (see @code{statics}, also for the
 ## arguments), with named inputs and outputs: a struct of M, C, G and K (p-by-p: M y'' + (C + G) y' + K y = F u; C
-## symmetric, G skew), F, basis (n-by-p, of the coordinates q by y), omega (rad/s, of its vibrations), and of the same as x'
-## = A x + B u, z = C_out x + D u in the form that @code{ss (A, B, C_out, D)} of the control package takes.
+## symmetric, G skew), F, basis (n-by-p, of the coordinates q by y), omega (rad/s, of its vibrations), and of the same as
+## x' = A x + B u, z = C_out x + D u in the form that @code{ss (A, B, C_out, D)} of the control package takes.
 ##
 ## inputs (cellstr) are the components of forces and moments; of prescribed places and angles (driven) it is their
-## acceleration (per s^2), and they and their rates are the last states, after y and y'. outputs (cellstr) are columns
+## acceleration (per s^2), and they and their rates are the last states, after y and y'; what moves the chart of a rod
+## on a surface is none, which a warning says. outputs (cellstr) are columns
 ## of history.csv, measured from their values at rest (rest): the option "outputs" has their names without units, by
 ## default all of places and angles, "tip_*", "mid_*", "psi*", and reactions.  harmonic (s) is the outputs' answer to
 ## inputs that go as exp (s t), of what is prescribed by its place or angle (see @code{harmonic_response}).
@@ -25,6 +26,11 @@ function [model, scene, output] = linear_model (scene = "paper", varargin)
   found = at_rest (kind, scene, time, @(found) found.vibrations.omega(1:min (end, 6)));
   cellfun (@(text) say ("warning: %s", text), slowly_converging (max (found.change), "a frequency by %.2g of itself"));
   [unit, model.inputs, model.driven] = unit_inputs (scene, time);
+  for name = {"rotation", "place"}  # of bodies a joint has them
+    if (! isempty (field_or (scene, name{1}, [])))
+      say ("warning: the %s is no input: it stays as it is at t = %g s", name{1}, time);
+    endif
+  endfor
   unit.duration = numel (model.inputs) + 1;
   rods = model_of (kind, unit, found.functions);
   [into, hold] = pushes (kind.at_rest (unit, rods), found, numel (model.inputs));
@@ -137,6 +143,11 @@ endfunction
 %! assert ((H (s)*[1; 0])(2)*s^2, 1 + 2*turn, 1e-8);
 %! assert ((H (s)*[1; 0])(1)*s^2, 6*s^2*(1 + turn), 1e-6);
 %!error <outputs has "tip_q": history.csv has t, x_1, y_1> model_of_scene (sprung ([0 0]), "outputs", "tip_q");
+%!test # what moves the chart is no input, which is said
+%! scene = setfield (plane_rods ({"clamped", "free"}, [5 5]), "tip_moment", @(t) 0*t);
+%! scene.rotation = @(t) [0 0 0];
+%! said = evalc ("model = linear_model (scene, 'output', '', 'outputs', 'tip_y');");
+%! assert (! isempty (strfind (said, "warning: the rotation is no input: it stays as it is at t = 0 s")));
 %!test # of a rod on a surface: its static deflection under a force across its end, and no multipliers
 %! scene = setfield (plane_rods ({"clamped", "free"}, [5 5]), "force", [0 0 0]);
 %! model = model_of_scene (scene, "outputs", "tip_y");
