@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{run}, @var{summary}, @var{unfit}, @var{err}] =} run_chosen (@var{kind}, @var{scene}, @var{name}, @
-##   @var{left}, @var{other_way})
+## @deftypefn {} {[@var{run}, @var{summary}, @var{unfit}, @var{err}] =} run_chosen (@var{kind}, @var{scene}, @
+##   @var{name}, @var{left}, @var{other_way})
 ## The run of a checked @var{scene} named @var{name} by the model that is chosen for it, with its @var{summary} (see
 ## @code{summarise}), or the error @var{err} that ended it ([] where none did); and why no model is fit for the scene,
 ## or "".  That ends the choice at once where there is an @var{other_way}, by default not; @var{left} is what

@@ -3,7 +3,7 @@
 ##   @dots{})
 ## The equations of a scene of any kind linear about the equilibrium that it comes to (see @code{statics}, also for the
 ## arguments), with named inputs and outputs: a struct of M, C, G and K (p-by-p: M y'' + (C + G) y' + K y = F u; C
-## symmetric, G skew), F, basis (n-by-p, of the coordinates q by y), omega (rad/s, of its vibrations), and of the same as
+## symmetric, G skew), F, basis (n-by-p, of the coordinates q by y), omega (rad/s, of its vibrations), and of it as
 ## x' = A x + B u, z = C_out x + D u in the form that @code{ss (A, B, C_out, D)} of the control package takes.
 ##
 ## inputs (cellstr) are the components of forces and moments; of prescribed places and angles (driven) it is their
@@ -26,11 +26,8 @@ function [model, scene, output] = linear_model (scene = "paper", varargin)
   found = at_rest (kind, scene, time, @(found) found.vibrations.omega(1:min (end, 6)));
   cellfun (@(text) say ("warning: %s", text), slowly_converging (max (found.change), "a frequency by %.2g of itself"));
   [unit, model.inputs, model.driven] = unit_inputs (scene, time);
-  for name = {"rotation", "place"}  # of bodies a joint has them
-    if (! isempty (field_or (scene, name{1}, [])))
-      say ("warning: the %s is no input: it stays as it is at t = %g s", name{1}, time);
-    endif
-  endfor
+  moved = cellfun (@(name) ! isempty (field_or (scene, name, [])), {"rotation", "place"});
+  cellfun (@(name) say ("warning: the %s is no input: it stays as at t = %g s", name, time), {"rotation", "place"}(moved));
   unit.duration = numel (model.inputs) + 1;
   rods = model_of (kind, unit, found.functions);
   [into, hold] = pushes (kind.at_rest (unit, rods), found, numel (model.inputs));
@@ -63,8 +60,8 @@ function [names, rest, by] = observed (kind, scene, rods, found, inputs, wanted)
   n = found.balance.n;
   state = [found.q; 0*found.q; found.lambda];
   energies = zeros (numel (system.initial_state) - numel (state), 1);
-  columns_of = @(numbers, states) table_of (kind, scene, rods, system, numbers, [states; repmat(energies, 1, ...
-                                                                                             columns (states))]);
+  columns_of = @(numbers, states) table_of (kind, scene, rods, system, numbers, ...
+                                            [states; energies(:,ones (1, columns (states)))]);
   [names, values] = columns_of (0:inputs, repmat (state, 1, inputs + 1));
   kept = kept_columns (names, wanted);
   names = names(kept);
@@ -137,8 +134,7 @@ endfunction
 %! assert (model.inputs, {"cart_x [m]", "cart_y [m]"}); assert (columns (model.A), 6);
 %! assert (model.K/model.M, 6*9.81/8, 1e-9);
 %! H = @(s) model.C_out*((s*eye (6) - model.A) \ model.B) + model.D;
-%! s = 2i;
-%! turn = -6*s^2/(8*s^2 + 6*9.81);  # phi by the cart's place
+%! s = 2i; turn = -6*s^2/(8*s^2 + 6*9.81);  # phi by the cart's place
 %! assert ((H (s)*[1; 0])(3)*s^2, turn, 1e-8);
 %! assert ((H (s)*[1; 0])(2)*s^2, 1 + 2*turn, 1e-8);
 %! assert ((H (s)*[1; 0])(1)*s^2, 6*s^2*(1 + turn), 1e-6);
@@ -147,7 +143,7 @@ endfunction
 %! scene = setfield (plane_rods ({"clamped", "free"}, [5 5]), "tip_moment", @(t) 0*t);
 %! scene.rotation = @(t) [0 0 0];
 %! said = evalc ("model = linear_model (scene, 'output', '', 'outputs', 'tip_y');");
-%! assert (! isempty (strfind (said, "warning: the rotation is no input: it stays as it is at t = 0 s")));
+%! assert (! isempty (strfind (said, "warning: the rotation is no input: it stays as at t = 0 s")));
 %!test # of a rod on a surface: its static deflection under a force across its end, and no multipliers
 %! scene = setfield (plane_rods ({"clamped", "free"}, [5 5]), "force", [0 0 0]);
 %! model = model_of_scene (scene, "outputs", "tip_y");

@@ -1,9 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {} refuse_singular (@var{surface}, @var{fields}, @var{when})
 ## An error where the rod lies on or across a point at which the surface's chart is singular, or has left the chart:
-## the determinant of the first fundamental form vanishes beside its largest on the rod, it or the normal is no number,
-## or the normal turns round between two points.  @var{fields} as from @code{surface_rod}, p points of the rod by m times,
-## @var{when} a text.
+## the determinant of the first fundamental form vanishes beside its largest on the rod, it or the normal is no
+## number, or the normal turns round between two points.  @var{fields} as from @code{surface_rod}, p points of the rod
+## by m times, @var{when} a text.
 ## @end deftypefn
 
 function refuse_singular (surface, fields, when)

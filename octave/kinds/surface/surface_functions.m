@@ -25,7 +25,8 @@ function surface = surface_functions (given)
   [parameters, surface.units] = signature_of (given.name);
   parameters = values_of (rmfield (given, "name"), parameters, given.name);
   for kind = {"position", "tangent", "normal", "laid", "mass", "balance", "damping", "turning", "rotary_balance", ...
-              "energies", "strains", "section", "point_loads", "spring", "reaction", "damped_reaction", "angle", "direction", "support"}
+              "energies", "strains", "section", "point_loads", "spring", "reaction", "damped_reaction", "angle", ...
+              "direction", "support"}
     name = sprintf ("surface_%s_%s", given.name, kind{1});
     if (! exist (name, "file"))
       scene_error ("surface.name is \"%s\": an earlier `make derive SURFACE=file' left no %s: derive it again", ...
