@@ -37,6 +37,7 @@ function [base, choices] = rod_choices ()
     "force", "none", {}
     "force", "across the tip", {"force", @(t) [0 -0.5]}
     "force", "along the middle", {"force", @(t) [5*sin(50*t), 0], "force_station", 0.5}
+    "force", "a pulse", {"force", @(t) [0 -0.5]*(t < 0.01), "breaks", 0.01}
     "force", "at O", {"force", @(t) [1 1], "force_station", 0}
     "tip mass", "none", {}
     "tip mass", "some", {"tip_mass", 0.1}
