@@ -45,7 +45,7 @@ endfunction
 function lines = observe_run (which, settings, options, items, place)
   [columns, values] = stated_point (settings);
   [scene, output] = scene_at (which, options, columns, values);
-  tables = verb_tables (scene, {items.part});
+  tables = verb_tables (scene, {items.part}, false, {"exact", true}(1:2*isequal (output.exact, true)));
   [names, table] = deal ({}, []);
   if (! isempty (place) || ! all (ismember ({items.part}, {"modes", "statics"})))
     [names, table, run] = run_of (scene, output, place, typed (which, settings, options));

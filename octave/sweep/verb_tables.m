@@ -1,13 +1,14 @@
 ## -*- texinfo -*-
-## @deftypefn {} {[@var{tables}, @var{units}] =} verb_tables (@var{scene}, @var{parts}, @var{names_alone})
+## @deftypefn {} {[@var{tables}, @var{units}] =} verb_tables (@var{scene}, @var{parts}, @var{names_alone}, @
+##   @var{options})
 ## What OBSERVE may ask of the studies of a @var{scene} (a struct, not checked) that @var{parts} (cellstr) name, a field
 ## each of @var{tables}: modes has f (Hz), omega (rad/s), damping, growth (1/s) and change of the slowest twelve (see
 ## @code{natural_modes}), and statics what @code{rest_figures} says.  @var{units} has the same fields, each " [m]" or
 ## "".  With @var{names_alone} nothing is computed: the tables have numbers that mean nothing, and twelve modes; truth,
-## which takes a run, is among them (see @code{true_figures}).
+## which takes a run, is among them (see @code{true_figures}).  The @var{options} (a cell array) go to the studies.
 ## @end deftypefn
 
-function [tables, units] = verb_tables (scene, parts, names_alone = false)
+function [tables, units] = verb_tables (scene, parts, names_alone = false, options = {})
   tables = units = struct ();
   if (names_alone && any (strcmp (parts, "truth")))
     [tables.truth, units.truth] = deal (true_figures (), struct ());
@@ -23,7 +24,7 @@ function [tables, units] = verb_tables (scene, parts, names_alone = false)
     units.modes = struct ("f", " [Hz]", "omega", " [rad/s]", "damping", "", "growth", " [1/s]", "change", "");
     tables.modes = structfun (@(unit) zeros (1, 12), units.modes, "uniformoutput", false);
     if (! names_alone)
-      rows = natural_modes (scene, "output", "");
+      rows = natural_modes (scene, "output", "", options{:});
       for name = fieldnames (units.modes).'
         tables.modes.(name{1}) = [rows.(name{1})];
       endfor
@@ -33,7 +34,7 @@ function [tables, units] = verb_tables (scene, parts, names_alone = false)
     if (names_alone)
       found = unknown_rest (kind, scene);
     else
-      found = statics (scene, "output", "");
+      found = statics (scene, "output", "", options{:});
     endif
     [tables.statics, units.statics] = rest_figures (found);
   endif
@@ -73,6 +74,11 @@ endfunction
 %! evalc ("rows = natural_modes ('double_pendulum', 'output', '');");
 %! assert (tables.modes.f, [rows.f]); assert (tables.statics.slowest, rows(1).omega, -1e-6);
 %! assert (tables.statics.tip_y(2) < -0.1); assert (numel (tables.statics.reaction_x), 2);
+%!test # of geometrically exact rods: a cantilever's tip under P l^2/EI = 1 (Bisshopp and Drucker 1945)
+%! scene = struct ("rod", struct ("length", 1, "EA", 1e6, "EI", 2, "rhoA", 1), "gravity", 0, "duration", 1);
+%! [scene.rotation, scene.force] = deal (@(t) [0 0 0], @(t) [0 -2]);
+%! evalc ("tables = verb_tables (scene, {'statics'}, false, {'exact', true});");
+%! assert (tables.statics.tip_y, -0.30172, 1e-5);
 %!assert (verb_tables (swing (), {}), struct ())
 %!error <the kind "string" says nothing of its equilibrium>
 %! with_stand_ins ({"kind = kind_of", "scene", ["kind = struct ('name', 'string', 'at_rest', [], " ...

@@ -37,6 +37,8 @@
 ## what the coordinates move (see @code{points_of_coordinates}), at 41 places of each body
 ## @item most
 ## the largest number of base functions that is of use
+## @item steepest (q)
+## the largest slope of bodies that are not geometrically exact
 ## @item bodies
 ## the coordinates of each body: a cell array, with names, a cellstr
 ## @end table
@@ -59,6 +61,7 @@ function balance = mechanism_at_rest (scene, mechanism)
   balance.moving = @(t, q, v, a, lambda) moving (system, t, q, v, a, lambda);
   balance.jacobian = @(q) jacobian_at (system, q);
   balance.most = 32;
+  balance.steepest = system.steepest;
   balance.interpolation = full (points_of_coordinates (mechanism, 41));
   for k = 1:numel (mechanism.models)
     balance.bodies{k} = index_of (mechanism, k);
