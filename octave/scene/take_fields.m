@@ -29,7 +29,8 @@ function refuse_unknown (given, prefix, names, what)
     name = [prefix key];
     if (any (strncmp ([name "."], names, numel (name) + 1)))
       if (! (isstruct (value) && isscalar (value)))
-        scene_error ("%s%s is a %s: it takes a struct", field_prefix (what), name, class (value));
+        scene_error ("%s%s is a %s%s: it takes a struct", field_prefix (what), name, class (value), ...
+                     repmat (" array", 1, isstruct (value)));
       endif
       refuse_unknown (value, [name "."], names, what);
     elseif (! any (strcmp (name, names)))
@@ -47,5 +48,7 @@ endfunction
 %!error <^a is -1: it takes positive number> take_fields (struct ("a", -1), {"a", 1, "positive number"}, "a scene")
 %!error <^bodies\(2\).a is -1: it takes> take_fields (struct ("a", -1), {"a", 1, "positive number"}, "bodies(2)")
 %!error <^b is a double: it takes a struct> take_fields (struct ("b", 3), {"b.c", 3, "number"}, "a scene")
+%!error <^b is a struct array: it takes a struct>
+%! take_fields (setfield (struct (), "b", struct ("c", {1 2})), {"b.c", 3, "number"}, "a scene")
 %!error <^bc is not a field of a scene: those are b.c>
 %! take_fields (struct ("bc", struct ("c", 3)), {"b.c", 3, "number"}, "a scene")
