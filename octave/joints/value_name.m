@@ -5,9 +5,10 @@
 ## @end deftypefn
 
 function name = value_name (what)
+  prefix = field_prefix (what);
   name = what;
-  if (any (what == "("))
-    name = [what ".value"];
+  if (! isempty (prefix))
+    name = [prefix "value"];
   endif
 endfunction
 

@@ -2,10 +2,11 @@
 ## @deftypefn {} {@var{history} =} measure_surface (@var{system}, @var{scene}, @var{times}, @var{states})
 ## What is observed of a rod on a surface at the @var{times} (1-by-m): t, tip and mid (3-by-m, m, of the tip and of
 ## mid-span), psi and tip_psi (1-by-m, rad, the tangent's angles at its start and its tip in the tangent plane, from
-## the chart's first direction to its second, without jumps of 2 pi), q (N-by-m) with q_names, T, U, Z, W, D, balance
-## and energy_floor (J), angular_momentum about the origin (3-by-m), reaction (p-by-m, N/m, see
-## @code{normal_reaction}), tip_reaction (N, that to a tip mass; a row, or none), support (3-by-m, N, see
-## @code{surface_support}), and the centreline x, y, z (101-by-m, m) with the unit normals n_1, n_2, n_3 there.
+## the chart's first direction to its second, without jumps of 2 pi), q (N-by-m) with q_names, the units of the
+## chart's coordinates (a cellstr), T, U, Z, W, D, balance and energy_floor (J), angular_momentum about the origin
+## (3-by-m), reaction (p-by-m, N/m, see @code{normal_reaction}), tip_reaction (N, that to a tip mass; a row, or none),
+## support (3-by-m, N, see @code{surface_support}), and the centreline x, y, z (101-by-m, m) with the unit normals n_1,
+## n_2, n_3 there.
 ## @end deftypefn
 
 function history = measure_surface (system, scene, times, states)
@@ -15,6 +16,7 @@ function history = measure_surface (system, scene, times, states)
   history.t = times;
   history.q = system.place.start + system.place.basis*z;
   history.q_names = coefficient_names (system.numbers);
+  history.units = system.surface.units;
   E = system.energies (times, z, z_dot);
   history.T = E(1,:);
   history.U = E(2,:);

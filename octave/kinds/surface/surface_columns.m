@@ -9,7 +9,7 @@
 function [names, table] = surface_columns (scene, run)
   history = run.history;
   [energies, joules] = energy_columns (history);
-  units = surface_functions (scene.surface).units(1 + strncmp (history.q_names, "alpha2", 6));
+  units = history.units(1 + strncmp (history.q_names, "alpha2", 6));
   coefficients = strcat (history.q_names, {" ["}, units, {"]"});
   names = [{"t [s]", "tip_x [m]", "tip_y [m]", "tip_z [m]"}, coefficients, energies, ...
            {"angular_momentum_x [kg m^2/s]", "angular_momentum_y [kg m^2/s]", "angular_momentum_z [kg m^2/s]", ...
@@ -26,10 +26,9 @@ endfunction
 %! history = struct ("t", 0, "tip", [1; 2; 3], "q", [4; 5], "T", 6, "U", 7, "Z", 8, "W", 9, "D", 0, ...
 %!                   "angular_momentum", [1; 2; 3], "reaction", [-1; 2], "mid", [3; 4; 5], "psi", 6, "tip_psi", 7, ...
 %!                   "support", [8; 9; 10], "torque", zeros (0, 1), "tip_reaction", zeros (0, 1));
-%! history.q_names = {"alpha1_0", "alpha2_0"};
-%! cone = struct ("surface", struct ("name", "cone", "half_angle", 1));
-%! [names, table] = surface_columns (cone, struct ("history", history));
+%! [history.q_names, history.units] = deal ({"alpha1_0", "alpha2_0"}, {"m", "rad"});
+%! [names, table] = surface_columns ([], struct ("history", history));
 %! assert (names(5:6), {"alpha1_0 [m]", "alpha2_0 [rad]"});
 %! assert (table.', [0 1 2 3 4 5 6 7 8 9 0 1 2 3 -1 2 3:10]); assert (numel (names), 24);
-%! [names, table] = surface_columns (cone, struct ("history", setfield (history, "torque", 4)));
+%! [names, table] = surface_columns ([], struct ("history", setfield (history, "torque", 4)));
 %! assert (table(end), 4); assert (names{end}, "torque [N m]");
