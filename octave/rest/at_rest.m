@@ -3,7 +3,7 @@
 ## The equilibrium of a checked scene of a @var{kind} (see @code{kind_of}) under its loads at the time @var{t} (s),
 ## with the modes that it states, or with 4, 8, 16 and 32 base functions of each sort until none of @var{measure}
 ## (found), a row of numbers, changes by more than @var{enough} of itself, 1e-6 by default, or a thousandth of that of
-## the largest; or as many of them as find an equilibrium.
+## the largest; or as many of them as find an equilibrium with a positive mass.
 ##
 ## @var{found} is a struct of balance (see @code{mechanism_at_rest}), q, lambda and linear (see @code{equilibrium}),
 ## vibrations (see @code{vibrations}), functions (how many of each sort, NaN: stated) and change, of each number by the
@@ -30,8 +30,10 @@ function found = at_rest (kind, scene, t, measure, enough = 1e-6)
       coarse = equilibrium_of (kind, scene, kind.sized (scene, n), t, coarse);
     catch err
       rethrow_others (err, "toolchain:scene:equilibrium", "toolchain:scene:mass");
-      if (isempty (coarse) || any (isinf (found.change)))
+      if (isempty (coarse))
         rethrow (err);
+      elseif (isinf (found.change))  # the first that was found: half as many stand before it
+        found.change = change_from_half (kind, scene, t, measure, found, err);
       endif
       break;  # the change that the last doubling made stays the one that is said
     end_try_catch
@@ -44,6 +46,15 @@ function found = at_rest (kind, scene, t, measure, enough = 1e-6)
   endfor
   show_progress ("");
   warn_of_slopes (found);
+endfunction
+
+## where there are models of half as many functions; else the error stays that more of them had
+function change = change_from_half (kind, scene, t, measure, found, err)
+  half = kind.sized (scene, found.functions/2);
+  if (isempty (half))
+    rethrow (err);
+  endif
+  change = relative_change (measure (found), measure (equilibrium_of (kind, scene, half, t, found)));
 endfunction
 
 ## what models of the second order drop is of the order of the slope's square
