@@ -18,7 +18,8 @@
 ## empty), richer (rung), smaller (rung, part), the same rung where there is none, left_out (reference, rung, part),
 ## what a rung leaves out of a part of the reference's motion (m; NaN: that cannot be told, Inf: it cannot do without),
 ## dropped (trial), what all rungs leave out (m), poorer (rung, reference), whether the reference is so much richer
-## that it tells the rung's error, trial (rung, like) (see @code{try_rung}) and name (rung).
+## that it tells the rung's error, trial (rung, like) (see @code{try_rung}), drift (trial), how far that is off by its
+## integration (m; see @code{phase_drift}), sharper (trial), the ladder whose trials drift less, and name (rung).
 ##
 ## @var{choice}: trial (the chosen one), reference (what it is compared with), rung, error_m (their distance), reason
 ## (a sentence), useless (whether the trial is so), tried (a struct array of rung, name, error_m, seconds, calls,
@@ -38,7 +39,13 @@ function choice = choose (ladder, tolerance, useless = @(reference) false)
       trial = reference;
       break;
     endif
-    [trial, guess, trials, limit] = near_enough (ladder, reference, limit, trials);
+    [trial, next, trials, limit] = near_enough (ladder, reference, limit, trials);
+    if (isempty (trial) && isempty (reference.error) && ladder.drift (reference) > 4*limit)
+      ladder = ladder.sharper (reference);
+      trials = references = {};  # and the same guess
+    else
+      guess = next;
+    endif
     at_the_end = any (cellfun (@(rung) isequal (rung, ladder.richer (guess)), references));
   until (! isempty (trial) || at_the_end || is_hopeless (failures))
 
@@ -94,7 +101,7 @@ endfunction
 %!  ladder.richer = @(n) min (2*n + 2, numel (amplitudes));
 %!  [ladder.first, ladder.smaller] = deal (@() deal (1, "they fall"), @(n, part) max (n - 1, 0));
 %!  ladder.left_out = @(reference, n, part) abs (sum_of (reference.rung) - sum_of (n));
-%!  [ladder.poorer, ladder.dropped] = deal (@clearly_fewer, @(trial) 0);
+%!  [ladder.poorer, ladder.dropped, ladder.drift] = deal (@clearly_fewer, @(trial) 0, @(trial) 0);
 %!  ladder.trial = @(n, like) run_terms (n, sum_of (n), least);
 %!  ladder.name = @(n) sprintf ("%d terms", n);
 %!endfunction
@@ -122,6 +129,12 @@ endfunction
 %! assert (choice.rung, 2); assert (choice.error_m, 0.5^2*1.5, 1e-12);
 %! assert (choice.reason, "they fall; the smallest within 0.47 m of 4 terms");
 %! assert (choose (setfield (series (0.5.^(0:19)), "dropped", @(trial) 1e-3), 1e-3).rung, 12);
+%!test # a reference that drifts off makes trials sharper, and the choice begins again
+%! drifting = setfield (series (0.1.^(0:19)), "drift", @(trial) 1);
+%! drifting.trial = @(n, like) run_terms (n, n, 0);  # each as far from the others as it may
+%! drifting.sharper = @(reference) series (0.1.^(0:19));
+%! choice = choose (drifting, 1.2e-3);
+%! assert (choice.rung, 3); assert (sort ([choice.tried.rung]), [3 4 8]); assert (choice.warnings, {});
 %!test # what cannot be run is passed by, and its message kept
 %! choice = choose (series ([1 0 0 0 0 0 0 0], 4), 0.1);
 %! assert (choice.rung, 4); assert (choice.warnings, {});

@@ -1,15 +1,21 @@
 ## -*- texinfo -*-
-## @deftypefn {} {@var{ladder} =} ladder_of (@var{kind}, @var{scene}, @var{left})
+## @deftypefn {} {@var{ladder} =} ladder_of (@var{kind}, @var{scene}, @var{left}, @var{solver})
 ## The ladder of models of a checked scene of a @var{kind} (see @code{kind_of}), as @code{choose} takes it: its trials
-## are runs by the ladder's solver.  One that takes more than a third of the seconds that @var{left} () says is given
-## up, and so is one whose rods reach a slope of 1.5 (see @code{refuse_steep}).
+## are runs by the ladder's solver, or by a sharper @var{solver}.  One that takes more than a third of the seconds that
+## @var{left} () says is given up, and so is one whose rods reach a slope of 1.5 (see @code{refuse_steep}).
 ## @end deftypefn
 
-function ladder = ladder_of (kind, scene, left = @() Inf)
+function ladder = ladder_of (kind, scene, left = @() Inf, solver = [])
   ladder = kind.ladder (scene);
-  solver = setfield (ladder.solver, "steepest", 1.5);
-  in_time = @() setfield (solver, "seconds", left ()/3);
+  ladder.drift = @phase_drift;
+  if (! isempty (solver))
+    ladder.solver = solver;
+    ladder.drift = @(trial) 0;
+  endif
+  in_time = @() setfield (setfield (ladder.solver, "steepest", 1.5), "seconds", left ()/3);
   ladder.trial = @(rung, like) run_model (kind, scene, kind.build (scene, rung), in_time (), like);
+  tighter = @(trial) kind.tighter (ladder.solver, max (energy_error (trial.history)));
+  ladder.sharper = @(trial) ladder_of (kind, scene, left, tighter (trial));
   ladder.dropped = @(trial) dropped_metres (kind.dropped (scene, trial, trial));
 endfunction
 

@@ -21,6 +21,7 @@ function [run, summary, unfit, err] = run_chosen (kind, scene, name, left, other
     endif
     cellfun (@(text) say ("warning: %s", text), kind.foreseen (scene, model));
     run = setfield (balanced_run (kind, scene, model, choice, left), "rung", choice.rung);
+    choice = sharp_reference (kind, scene, run, choice, left);
   catch err
     if (strcmp (err.identifier, "toolchain:integration:steep"))
       unfit = "its models of small slopes bend too far";
