@@ -19,7 +19,7 @@ function found = at_rest (kind, scene, t, measure, enough = 1e-6)
     found = equilibrium_of (kind, scene, kind.build (scene, rung), t, []);
     found.functions = NaN;
     found.change = NaN (size (measure (found)));
-    warn_of_slopes (found);
+    warn_of_strains (found);
     return;
   endif
   last = [];
@@ -45,7 +45,7 @@ function found = at_rest (kind, scene, t, measure, enough = 1e-6)
     endif
   endfor
   show_progress ("");
-  warn_of_slopes (found);
+  warn_of_strains (found);
 endfunction
 
 ## where there are models of half as many functions; else the error stays that more of them had
@@ -58,10 +58,14 @@ function change = change_from_half (kind, scene, t, measure, found, err)
 endfunction
 
 ## what models of the second order drop is of the order of the slope's square
-function warn_of_slopes (found)
-  slope = 0;
+function warn_of_strains (found)
+  [slope, strain] = deal (0);
   if (isfield (found.balance, "steepest"))
-    slope = found.balance.steepest (found.q);
+    [slope, strain] = found.balance.steepest (found.q);
+  endif
+  if (strain > 0.01)
+    say (["warning: rods have strains up to %.2g there, linear elasticity holds for small ones: take smaller loads, a" ...
+          " larger EA, or rods that reach from joint to joint"], strain);
   endif
   if (slope > 0.1)
     say (["warning: rods bend by slopes up to %.2g there, and what they drop is some %.0f %% of how they bend and" ...
@@ -107,6 +111,11 @@ endfunction
 %! assert (isempty (strfind (bent (0.1), "warning")));
 %! said = "warning: rods bend by slopes up to 0.29 there, and what they drop is some 8 %";
 %! assert (strncmp (bent (1), said, numel (said)));
+%!test # and so has what is stretched: by a force of EA/40
+%! scene = held (struct ("kind", "weld", "bodies", 1, "stations", 0), ...
+%!               struct ("kind", "force", "bodies", 1, "stations", 1, "value", [1e6/40, 0]));
+%! said = evalc ("at_rest (mechanism_kind (), check_mechanism (scene), 0, @(found) found.vibrations.omega(1));");
+%! assert (strncmp (said, "warning: rods have strains up to 0.025 there", 44));
 %!test # stated modes are taken as they are
 %! scene = setfield (held (), "bodies", {setfield(held ().bodies{1}, "model", "modes", [1 2])});
 %! found = at_rest (mechanism_kind (), check_mechanism (scene), 0, @(found) found.vibrations.omega);

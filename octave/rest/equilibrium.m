@@ -19,13 +19,14 @@ function [q, lambda, linear] = equilibrium (balance, t, q = balance.start)
     farthest = max (farthest, norm (range (vertcat (balance.shape (balance.start){:}), 1))/20);
   endif
   smallest = Inf;
-  gone = 0;
+  gone = apart = 0;
   for sweep = 1:3000
     r = balance.residual (t, q, 0*q, lambda);
     if (! all (isfinite (r)))
       why = ": its forces are no numbers, as where a spring's points coincide";
       break;
     endif
+    apart = max ([0; abs(r(n+1:end,1))]);
     linear = held_tangent (balance, t, q, lambda);
     onto = -inverse_of (linear.jacobian)*r(n+1:end,1);
     force = linear.basis.'*(r(1:n) - linear.stiffness*onto);
@@ -36,8 +37,11 @@ function [q, lambda, linear] = equilibrium (balance, t, q = balance.start)
     lambda += inverse_of (linear.jacobian).'*(r(1:n) - linear.stiffness*step);
     if (metres < 1e-13*balance.length || (metres < 1e-8*balance.length && metres >= smallest/2) ...
         || (smallest < 1e-7*balance.length && metres > smallest))
-      linear = linearised (balance, t, q, lambda);
-      return;
+      if (apart <= 1e-6*balance.length)
+        linear = linearised (balance, t, q, lambda);
+        return;
+      endif
+      break;
     endif
     smallest = min (smallest, metres);
     gone += share*metres;
@@ -47,6 +51,9 @@ function [q, lambda, linear] = equilibrium (balance, t, q = balance.start)
       break;
     endif
   endfor
+  if (apart > 1e-6*balance.length)
+    why = sprintf (": its joints stay apart by %.3g m (or rad), as those of a loop that does not close", apart);
+  endif
   error ("toolchain:scene:equilibrium", ...
          "no equilibrium was found%s; place the bodies nearer to it, or take smaller loads\n", why);
 endfunction
@@ -67,6 +74,8 @@ endfunction
 %!error <no equilibrium was found: its forces are no numbers, as where a spring's points coincide; place the bodies>
 %! spring = struct ("kind", "spring", "bodies", 1, "stations", 1, "point", [1 0], "stiffness", 3);
 %! equilibrium (pendulum (0, spring), 0);
+%!error <no equilibrium was found: its joints stay apart by .* m .or rad., as those of a loop that does not close>
+%! equilibrium (pendulum (0, struct ("kind", "revolute", "bodies", 1, "stations", 2, "point", [3 0])), 0);
 %!test # a moment at its hinge holds it aslant: M = m g l/2 cos (phi)
 %! moment = struct ("kind", "moment", "bodies", 1, "stations", 0, "value", 6*9.81*cosd (60));
 %! assert (equilibrium (pendulum (-0.5, moment), 0)(1), -pi/3, 1e-9);

@@ -38,7 +38,7 @@
 ## @item most
 ## the largest number of base functions that is of use
 ## @item steepest (q)
-## the largest slope of bodies that are not geometrically exact
+## [slope, strain], the largest of bodies that are not geometrically exact, and of all
 ## @item bodies
 ## the coordinates of each body: a cell array, with names, a cellstr
 ## @end table

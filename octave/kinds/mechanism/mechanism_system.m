@@ -31,7 +31,7 @@
 ## @item energies (q, v, at)
 ## [T; U; Z]
 ## @item steepest (q)
-## the largest slope of bodies that are not geometrically exact, in a state
+## [slope, strain], the largest of bodies that are not geometrically exact, and of all, in a state
 ## @end table
 ## @end deftypefn
 
@@ -78,13 +78,15 @@ function system = mechanism_system (scene, mechanism)
   system.energies = @(q, v, at) mechanism_energies (mechanism, q, v) + [0; 1; 0]*at.springs.energy;
 endfunction
 
-## slope of all bodies whose models hold for small ones
-function slope = steepest (mechanism, q)
-  slope = 0;
+## slope of all bodies whose models hold for small ones, strain of all
+function [slope, strain] = steepest (mechanism, q)
+  slope = strain = 0;
   for group = mechanism.groups
+    of_bodies = reshape (q(group.index(1:end-3,:)), [], columns (group.index));
+    [across, along] = largest_slopes (group.model, group.model.basis*of_bodies);
+    strain = max (strain, along);
     if (! strcmp (group.model.rung.stiffening, "exact"))
-      of_bodies = reshape (q(group.index(1:end-3,:)), [], columns (group.index));
-      slope = max (slope, largest_slopes (group.model, group.model.basis*of_bodies));
+      slope = max (slope, across);
     endif
   endfor
 endfunction
