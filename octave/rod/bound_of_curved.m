@@ -13,7 +13,7 @@ function metres = bound_of_curved (model, V, duration)
     of = @(V) struct ("phi", zeros (1, columns (V)), "V", V);
     [x, y] = centreline (model, linspace (0, model.length, 21), of (V), 1);
     [x_0, y_0] = centreline (model, linspace (0, model.length, 21), of (0*V), 1);
-    metres = largest_slopes (model, V)*max (hypot (x - x_0, y - y_0)(:))*(1 + sqrt (min (squares))*duration/4);
+    metres = largest_slopes (model)(V)*max (hypot (x - x_0, y - y_0)(:))*(1 + sqrt (min (squares))*duration/4);
   endif
 endfunction
 

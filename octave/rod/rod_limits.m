@@ -7,7 +7,8 @@
 ## @end deftypefn
 
 function limits = rod_limits (scene, model, history, steepest = 0.2)
-  [slope, strain] = largest_slopes (model, history.V);
+  slopes_of = largest_slopes (model);
+  [slope, strain] = slopes_of (history.V);
   limits = struct ("what", {"slope v2,1", "strain v1,1"}, "limit", {steepest, 0.01}, "reached", {slope, strain});
   turns = ! isfield (scene, "rotation") || isempty (scene.rotation);
   if (strcmp (model.rung.stiffening, "exact"))

@@ -74,16 +74,18 @@ function system = mechanism_system (scene, mechanism)
     mechanism.constraints, at.prescribed, at.markers, at.constraints, marker_convection (mechanism, at.q, v));
   system.convection = @(at, v) rod_convection (mechanism, at.q, v);
   system.matrices = @(at) mechanism_matrices (mechanism, at.rods, at.markers, at.constraints, at.springs);
-  system.steepest = @(q) steepest (mechanism, q);
+  largest = cellfun (@(group) largest_slopes (group.model, group.model.basis), num2cell (mechanism.groups), ...
+                     "uniformoutput", false);
+  system.steepest = @(q) steepest (mechanism.groups, largest, q);
   system.energies = @(q, v, at) mechanism_energies (mechanism, q, v) + [0; 1; 0]*at.springs.energy;
 endfunction
 
 ## slope of all bodies whose models hold for small ones, strain of all
-function [slope, strain] = steepest (mechanism, q)
+function [slope, strain] = steepest (groups, largest, q)
   slope = strain = 0;
-  for group = mechanism.groups
-    of_bodies = reshape (q(group.index(1:end-3,:)), [], columns (group.index));
-    [across, along] = largest_slopes (group.model, group.model.basis*of_bodies);
+  for k = 1:numel (groups)
+    group = groups(k);
+    [across, along] = largest{k} (reshape (q(group.index(1:end-3,:)), [], columns (group.index)));
     strain = max (strain, along);
     if (! strcmp (group.model.rung.stiffening, "exact"))
       slope = max (slope, across);

@@ -8,7 +8,8 @@
 function system = common_of_rod (scene, model, constants)
   n = columns (model.basis);
   system.energies = @(phi, phi_dot, q, q_dot) rod_energies_of (phi, phi_dot, q, q_dot, constants);
-  system.steepest = @(y) largest_slopes (model, model.basis*y(1:n));
+  steepest = largest_slopes (model, model.basis);
+  system.steepest = @(y) steepest (y(1:n));
   system.turned = isempty (model.rung.sines);
   system.auto = "waveform";
   system.warnings = {};

@@ -38,7 +38,8 @@ function dropped = dropped_error (scene, model, history)
 endfunction
 
 function metres = bound (scene, model, history)
-  [slope, strain] = largest_slopes (model, history.V);
+  slopes_of = largest_slopes (model);
+  [slope, strain] = slopes_of (history.V);
   [~, deflections] = functions_at (model.base, linspace (0, model.length, 101));
   largest = max (abs (deflections*model.basis), [], 1).'.*max (abs (history.q), [], 2);
   omega = sqrt (diag (model.arrays.stiffness_matrix)./diag (model.arrays.mass_matrix));
