@@ -1,8 +1,9 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {@var{rich} =} richer_path (@var{kind}, @var{scene}, @var{path}, @var{points})
 ## What a @var{path} that was followed through its @var{points} (see @code{follow_path}) needs more: a struct of twice
-## as many functions and of their balance, where places then differ by more than a thousandth of the path's size a
-## little before its first event, or its end, or are not found; else, and where the functions are stated, empty.
+## as many functions and of their balance, where a little before its first event, or its end, places then differ by
+## more than a thousandth of the path's size, or are not found, or where the square of the slowest frequency, which falls
+## as a line to the event, moves that by 5e-4 of its factor; else, and where the functions are stated, empty.
 ## @end deftypefn
 
 function rich = richer_path (kind, scene, path, points)
@@ -10,21 +11,29 @@ function rich = richer_path (kind, scene, path, points)
   if (isnan (path.functions) || path.functions >= path.balance.most)
     return;
   endif
-  before = find (! cellfun (@isempty, {points.event}), 1);
-  last = round (0.8*[before, numel(points)](1));
-  at = points(max (last, 1)).x;
+  event = find (! cellfun (@isempty, {points.event}), 1);
+  point = points(max (round (0.8*[event, numel(points)](1)), 1));
   model = kind.sized (scene, 2*path.functions);
-  near = balance_near (kind, scene, model, struct ("balance", path.balance, "q", at(1:end-1)));
+  [q, factor] = deal (point.x(1:end-1), point.x(end));
+  near = balance_near (kind, scene, model, struct ("balance", path.balance, "q", q));
   places = @(balance, q) vertcat (balance.shape (q){:});
-  off = Inf;
+  [off, moved] = deal (Inf, 0);
   try
-    off = max (abs (places (near, equilibrium (near, at(end))) - places (path.balance, at(1:end-1)))(:));
+    [richer, ~, linear] = equilibrium (near, factor);
+    off = max (abs (places (near, richer) - places (path.balance, q))(:));
+    if (! isempty (event) && point.squares(1) > 0)
+      moved = (1 - slowest_square (linear)/point.squares(1))*(points(event).x(end) - factor);
+    endif
   catch err
     rethrow_others (err, "toolchain:scene");
   end_try_catch
-  if (off > 1e-3*path.size)
+  if (off > 1e-3*path.size || abs (moved) > 5e-4*abs (factor))
     rich = struct ("functions", 2*path.functions, "balance", kind.at_rest (scene, model));
   endif
+endfunction
+
+function square = slowest_square (linear)
+  square = min ([Inf, vibrations(setfield (linear, "C", 0*linear.M)).omega]).^2;
 endfunction
 
 %!test # the deep arch, of which a few polynomials are too stiff where it sways, and a rod that is pulled straight
