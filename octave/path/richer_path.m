@@ -2,8 +2,8 @@
 ## @deftypefn {} {@var{rich} =} richer_path (@var{kind}, @var{scene}, @var{path}, @var{points})
 ## What a @var{path} that was followed through its @var{points} (see @code{follow_path}) needs more: a struct of twice
 ## as many functions and of their balance, where a little before its first event, or its end, places then differ by
-## more than a thousandth of the path's size, or are not found, or where the square of the slowest frequency, which falls
-## as a line to the event, moves that by 5e-4 of its factor; else, and where the functions are stated, empty.
+## more than a thousandth of the path's size, or are not found, or where the square of the slowest frequency, which
+## falls as a line to the event, moves that by 5e-4 of its factor; else, and where the functions are stated, empty.
 ## @end deftypefn
 
 function rich = richer_path (kind, scene, path, points)
