@@ -9,7 +9,7 @@
 function job = draw_shapes (name, panels, scene, scratch)
   for k = 1:numel (panels)
     for lines = {"faint", "strong"}
-      panels(k).(lines{1}) = cellfun (@(places) on_picture (places, scene), panels(k).(lines{1}), ...
+      panels(k).(lines{1}) = cellfun (@(places) rounded (on_picture (places, scene)), panels(k).(lines{1}), ...
                                       "uniformoutput", false);
     endfor
   endfor
@@ -30,6 +30,15 @@ function job = draw_shapes (name, panels, scene, scratch)
   job = start_gnuplot (scratch, "shapes.gp");
 endfunction
 
+## a rod bends without corners between the places that it is known at
+function line = rounded (places)
+  line = places;
+  n = rows (places);
+  if (n > 3)
+    line = interp1 (1:n, places, linspace (1, n, 8*(n - 1) + 1), "spline");
+  endif
+endfunction
+
 %!test # on a plane and in space
 %! scene = struct ("title", "A \"rod\"", "view", struct ("elevation", 20, "azimuth", 30));
 %! line = @(n) {rand(5, n), rand(5, n)};
@@ -47,3 +56,9 @@ endfunction
 %! panels = struct ("title", "1", "faint", {{[-1 5; 3 6]}}, "strong", {{[0 4; 2 9]}});
 %! text = in_scratch (@(folder, scratch) settings_of (panels, scratch));
 %! assert (! isempty (strfind (text, "x_low = -1.4\nx_high = 3.4\ny_low = 3.6\ny_high = 9.4\n")), text);
+%!test # a ring of 41 places is round
+%! ring = [cos((0:40).'*pi/20), sin((0:40).'*pi/20)];
+%! panels = struct ("title", "1", "faint", {{[0 0; 0 0]}}, "strong", {{ring}});
+%! text = in_scratch (@(folder, scratch) settings_of (panels, scratch));
+%! line = textscan (regexp (text, 'strong_1 << END\n(.*?)END', "tokens", "once"){1}, "%f %f");
+%! assert (numel (line{1}), 321); assert (hypot (line{:}), ones (321, 1), 1e-3);
