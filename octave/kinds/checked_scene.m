@@ -47,7 +47,7 @@ function [plane, kind] = exactly (scene, kind, name)
   if (isempty (plane))
     scene_error ("exact: the geometrically exact rod lacks what the scene has: %s", lacks);
   endif
-  kind = kind.of_exact (scene);
+  kind = kind.of_exact (plane);
 endfunction
 
 ## a tolerance in metres is a promise; a model that is stated is meant, but that some bodies are rigid

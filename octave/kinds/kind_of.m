@@ -62,7 +62,7 @@
 ## rungs around a chosen one, a cell array, up to a richer one
 ## @item exactly (scene)
 ## [exact, lacks]: the checked scene of geometrically exact rods, or empty and what that lacks
-## @item of_exact (scene)
+## @item of_exact (exact)
 ## the kind of that scene
 ## @item literal (scene)
 ## the rung of the paper's sines, 7 + 7, or empty

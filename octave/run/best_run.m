@@ -51,7 +51,8 @@ function [found, why_not] = exact_run (kind, scene, name)
   [found, why_not] = deal ([], {});
   began = tic ();
   try
-    [found, ~, err] = model_run (kind.of_exact (scene), kind.exactly (scene), name, false, @() 120 - toc (began));
+    exact = kind.exactly (scene);
+    [found, ~, err] = model_run (kind.of_exact (exact), exact, name, false, @() 120 - toc (began));
     if (! isempty (err))
       rethrow (err);
     endif
@@ -67,7 +68,7 @@ endfunction
 %!  scene.model.energy = "uniaxial";
 %!endfunction
 %!test # the exact rod where all other models are further off than the tolerance, and only there
-%! for row = {1e-6, "auto", "exact"; 1e-3, "auto", "rod"; 1e-6, false, "rod"}.'
+%! for row = {1e-6, "auto", "exact body"; 1e-3, "auto", "rod"; 1e-6, false, "rod"}.'
 %!   evalc ("result = driver (bent_rod (), 'tolerance', row{1}, 'output', '', 'exact', row{2});");
 %!   assert (kind_of (result.scene).name, row{3});
 %! endfor
@@ -80,7 +81,7 @@ endfunction
 %!  assert (any (strncmp (result.summary.warnings, said, numel (said))));
 %!endfunction
 %!test # where it fails the model's numbers are there
-%! with_stand_ins ({"system = surface_rod", "scene", "scene_error ('none today');"}, @check_without);
+%! with_stand_ins ({"equations = exact_equations", "", "scene_error ('none today');"}, @check_without);
 %!function result = clamped (varargin)   # soft, under its weight
 %!  rod = struct ("length", 1, "EA", 1e6, "EI", 1, "rhoA", 0.1);
 %!  scene.bodies = {struct("rod", rod, "model", struct ("energy", "uniaxial"), varargin{:})};
@@ -97,10 +98,10 @@ endfunction
 %! assert (result.summary.stiffening, {"foreshortening"}); assert (result.summary.dropped_m > 1e-5);
 %! assert (any (strncmp (result.summary.warnings, "the estimated error is", 22)));
 %!function check_worse ()
-%!  kind = @(name) struct ("name", name, "exactly", @(scene) scene, "of_exact", @(scene) struct ("name", "exact"));
+%!  kind = struct ("name", "model", "exactly", @(scene) scene, "of_exact", @(exact) struct ("name", "exact"));
 %!  for row = {2e-6 4e-6 "model"; 4e-6 2e-6 "exact"; 4e-6 4e-6 "model"}.'
 %!    scene = struct ("solver", struct ("tolerance", 1e-6), "error_of", struct ("model", row{1}, "exact", row{2}));
-%!    evalc ("[found, more] = best_run (kind ('model'), scene, 'of two', 'auto');");
+%!    evalc ("[found, more] = best_run (kind, scene, 'of two', 'auto');");
 %!    assert (found.kind.name, row{3}); assert (isempty (more), strcmp (row{3}, "model"));
 %!    assert (isempty (found.summary.warnings), strcmp (row{3}, "exact"));
 %!  endfor

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn {} {[@var{exact}, @var{lacks}] =} exact_body (@var{scene})
-## The geometrically exact rod of a checked @var{scene} of one rod, curved or straight, that no hub turns: a checked
-## scene of that body on its hinge, with the same points, loads, joints and times, whose field exact is the scene itself
+## The geometrically exact rod of a checked @var{scene} of one rod, curved or straight: a checked scene of that body on
+## its hinge, or in its hub, with the same points, loads, joints and times, whose field exact is the scene itself
 ## (see @code{exact_body_kind}).  Where it has not what the scene has, @var{exact} is empty, and @var{lacks} (a text)
 ## says what.
 ## @end deftypefn
@@ -22,6 +22,9 @@ function [exact, lacks] = exact_body (scene)
   given.initial = struct ("phi", scene.initial.phi, "phi_dot", scene.initial.phi_dot);
   given.model = struct ("energy", scene.model.energy, "rotary_inertia", scene.model.rotary_inertia, ...
                         "stiffening", "exact");
+  if (! isempty (scene.rotation))
+    [given.rotation, given.initial] = deal (scene.rotation, struct ());
+  endif
   if (any (scene.moment (load_times (scene))))
     given.moment = scene.moment;
   endif
@@ -40,9 +43,7 @@ endfunction
 function what = body_lacks (scene)
   what = exact_lacks (scene, {"constrained"});
   initial = scene.initial;
-  if (! isempty (scene.rotation))
-    what = "a hub, and joints but springs, forces and moments";
-  elseif (too_thick (scene.rod, rod_section (scene.rod, scene.model)))
+  if (too_thick (scene.rod, rod_section (scene.rod, scene.model)))
     what = "a rod so thick that its curvature changes its section";
   elseif (any ([initial.V1(:); initial.V2(:); initial.V1_dot(:); initial.V2_dot(:)]))
     what = "a deformed start beside a curved axis, or joints but springs, forces and moments";
@@ -94,3 +95,15 @@ endfunction
 %!test # a straight rod that hardly bends moves as its modes have it
 %! off = against_modes ();
 %! assert (off(1) < 5e-6); assert (off(2) > 5e-5);
+%!test # a slender one in a hub, whose torque turns it
+%! scene.rod = struct ("length", 1, "EA", 1e8, "EI", 2, "rhoA", 0.5);
+%! scene.rotation = @(t) [t^3, 3*t^2, 6*t];
+%! [scene.duration, scene.frames_per_second, scene.gravity] = deal (0.2, 50, 0);
+%! for exact = [true false]
+%!   evalc ("run{2-exact} = driver (scene, 'exact', exact, 'tolerance', 1e-7, 'output', '');");
+%! endfor
+%! assert (kind_of (run{1}.scene).name, "exact body");
+%! assert (run{1}.history.phi, run{1}.history.t.^3, 1e-12); assert (run{1}.history.phi_dot(end), 0.12, 1e-12);
+%! assert (run{1}.history.psi, run{2}.history.psi, 1e-5);
+%! assert (distance (run{:}), 0, 1e-6); assert (max (abs (run{2}.history.q(:))) > 1e-3);
+%! assert (run{1}.history.torque, run{2}.history.torque, 0.01*max (abs (run{2}.history.torque)));

@@ -11,7 +11,7 @@ function kind = exact_body_kind ()
   kind.name = "exact body";
   kind.has = @(given) isfield (given, "exact") && isstruct (given.exact);
   kind.check = @refuse;
-  kind.of_exact = @(scene) exact_body_kind ();
+  kind.of_exact = @(exact) exact_body_kind ();
   kind.ladder = @ladder_of_polynomials;
   kind.observe = @observe_body;
   kind.describe = @describe_body;
@@ -37,11 +37,16 @@ function run = observe_body (scene, model, system, times, states)
   for name = {"phi", "phi_dot", "psi", "tip_psi", "V", "V_names", "tip_x", "tip_y", "mid_x", "mid_y"}
     history.(name{1}) = history.bodies.(name{1});
   endfor
-  if (isempty (scene.exact.rod.curvature))
+  history.torque = [];
+  if (! isempty (scene.exact.rotation))
+    turned = at_times (scene.exact.rotation, times);
+    [history.phi, history.phi_dot] = deal (turned(1,:), turned(2,:));
+    history.torque = history.joints(2).torque;  # of the rotation, behind the hinge
+  elseif (isempty (scene.exact.rod.curvature))
     [history.phi, history.phi_dot] = angle_of_tip (model.models{1}, named_rows (system, states), history.phi(1));
   endif
   [history.reaction_x, history.reaction_y] = deal (history.joints(1).reaction_x, history.joints(1).reaction_y);
-  history.torque = history.joint_points = [];
+  history.joint_points = [];
   run.history = history;
   [run.x, run.y] = body_centreline (model.models{1}, linspace (0, scene.exact.rod.length, 21), history.bodies, 1);
 endfunction

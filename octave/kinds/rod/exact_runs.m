@@ -14,7 +14,7 @@ function [run, converged] = exact_runs (kind, scene, seconds, near = @(run) scen
   if (isempty (exact))
     return;
   endif
-  kind = kind.of_exact (scene);
+  kind = kind.of_exact (exact);
   start = tic ();
   tolerance = exact.solver.tolerance/2;
   try

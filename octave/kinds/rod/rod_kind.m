@@ -38,28 +38,26 @@ function kind = rod_kind ()
   kind.reference = {"waveform", 1e-10};
 endfunction
 
-## on the plane, which has springs, forces and moments, or as a body, which has all joints
+## on the plane, whose polynomials of places must resolve how a slender rod keeps its length, or as a body, which has
+## stretch and bending apart, and all joints, but no deformed start
 function [exact, lacks] = exact_rod (scene)
-  if (is_on_plane (scene))
-    [exact, lacks] = exact_scene (scene);
-  else
+  section = rod_section (scene.rod, scene.model);
+  slender = section.EA*scene.rod.length^2 > 1e6*section.EI;
+  on_plane = all (ismember ({scene.joints.kind}, {"spring", "force", "moment"}));
+  exact = [];
+  if (slender || ! on_plane)
     [exact, lacks] = exact_body (scene);
   endif
+  if (on_plane && isempty (exact))
+    [exact, lacks] = exact_scene (scene);
+  endif
 endfunction
 
-function kind = of_exact_rod (scene)
+function kind = of_exact_rod (exact)
   kind = exact_body_kind ();
-  if (is_on_plane (scene))
+  if (isfield (exact, "surface"))
     kind = exact_kind ();
   endif
-endfunction
-
-function yes = is_on_plane (scene)
-  joints = field_or (scene, "joints", {});
-  if (isstruct (joints))
-    joints = num2cell (joints);
-  endif
-  yes = all (cellfun (@(joint) any (strcmp (field_or (joint, "kind", ""), {"spring", "force", "moment"})), joints));
 endfunction
 
 function [rung, note] = stated_rung (scene)
