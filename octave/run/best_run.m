@@ -7,12 +7,15 @@
 ## @end deftypefn
 
 function [found, more, err] = best_run (kind, scene, name, exact)
-  exact_too = strcmp (exact, "auto") && ! isempty (kind.exactly (scene));
-  more = why_not = {};
+  more = why_not = exact_scene = {};
+  if (strcmp (exact, "auto"))
+    exact_scene = kind.exactly (scene);
+  endif
+  exact_too = ! isempty (exact_scene);
   [found, unfit, err] = model_run (kind, scene, name, exact_too);
   if (exact_too && ! isempty (unfit))
     say ("%s: %s: the geometrically exact rod (EXACT=no: none)", name, unfit);
-    [richer, why_not] = exact_run (kind, scene, name);
+    [richer, why_not] = exact_run (kind.of_exact (exact_scene), exact_scene, name);
     if (isempty (err) && isempty (found) && (isempty (richer) || estimate_of (richer) > scene.solver.tolerance))
       [found, ~, err] = model_run (kind, scene, name);
     endif
@@ -51,8 +54,7 @@ function [found, why_not] = exact_run (kind, scene, name)
   [found, why_not] = deal ([], {});
   began = tic ();
   try
-    exact = kind.exactly (scene);
-    [found, ~, err] = model_run (kind.of_exact (exact), exact, name, false, @() 120 - toc (began));
+    [found, ~, err] = model_run (kind, scene, name, false, @() 120 - toc (began));
     if (! isempty (err))
       rethrow (err);
     endif

@@ -70,19 +70,6 @@ function choice = choose (ladder, tolerance, useless = @(reference) false)
   choice.tried = cellfun (@(trial) entry (ladder, trial, reference, choice.rung), trials);
 endfunction
 
-## within the limit, or within that share of what all rungs drop, as the last one that ran tells
-function [trial, guess, trials, limit] = near_enough (ladder, reference, limit, trials)
-  [trial, guess, trials] = smallest_near (ladder, reference, limit, trials);
-  if (isempty (trial) && isempty (reference.error))
-    ran = trials(cellfun (@(trial) isempty (trial.error), trials));
-    dropped = ladder.share*ladder.dropped (ran{end})/4;
-    if (dropped > limit)
-      limit = dropped;
-      [trial, guess, trials] = smallest_near (ladder, reference, limit, trials);
-    endif
-  endif
-endfunction
-
 ## richer rods bend as far, and what cannot be integrated twice will not be
 function yes = is_hopeless (failures)
   steep = strcmp (failures, "toolchain:integration:steep");

@@ -6,12 +6,11 @@
 ## @end deftypefn
 
 function metres = phase_drift (run)
-  z = 0*run.x;
-  if (isfield (run, "z"))
-    z = run.z;
-  endif
-  steps = sqrt (diff (run.x, 1, 2).^2 + diff (run.y, 1, 2).^2 + diff (z, 1, 2).^2);
-  metres = max ([0; sum(steps, 2)])*max (energy_error (run.history))/2;
+  squares = 0;
+  for name = {"x", "y", "z"}(1:2+isfield (run, "z"))
+    squares += diff (run.(name{1}), 1, 2).^2;
+  endfor
+  metres = max ([0; sum(sqrt (squares), 2)])*max (energy_error (run.history))/2;
 endfunction
 
 %!function run = of_points (varargin)

@@ -74,8 +74,8 @@ function system = mechanism_system (scene, mechanism)
     mechanism.constraints, at.prescribed, at.markers, at.constraints, marker_convection (mechanism, at.q, v));
   system.convection = @(at, v) rod_convection (mechanism, at.q, v);
   system.matrices = @(at) mechanism_matrices (mechanism, at.rods, at.markers, at.constraints, at.springs);
-  largest = cellfun (@(group) largest_slopes (group.model, group.model.basis), num2cell (mechanism.groups), ...
-                     "uniformoutput", false);
+  largest = arrayfun (@(group) largest_slopes (group.model, group.model.basis), mechanism.groups, ...
+                      "uniformoutput", false);
   system.steepest = @(q) steepest (mechanism.groups, largest, q);
   system.energies = @(q, v, at) mechanism_energies (mechanism, q, v) + [0; 1; 0]*at.springs.energy;
 endfunction
